@@ -666,7 +666,7 @@ def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
     real_place(ROUTER.format(python=sys.executable, left="5 + turn % 2 if seed < 3 else max(0, 3 - turn)"))
     said: list[str] = []
     built = build(LAMP, "mine", HX8K, tmp_path / "out", note=said.append)
-    assert said == [f"the router came to no end with seed {seed} of 5, and was stopped" for seed in (1, 2)]
+    assert said == [f"the router did not finish with seed {seed} of 5, and was stopped" for seed in (1, 2)]
     assert "1, seed 3\n" in built.report.read_text()
 
 
@@ -676,7 +676,7 @@ def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
     real_place(ROUTER.format(python=sys.executable, left=5))
     said: list[str] = []
     with pytest.raises(
-        BuildError, match=r"^lamp cannot be routed on mine: the router came to no end with any of the seeds 1 to 5; "
+        BuildError, match=r"^lamp cannot be routed on mine: the router did not finish with any of the seeds 1 to 5; "
     ):
         build(LAMP, "mine", HX8K, tmp_path / "out", note=said.append)
     assert len(said) == 5

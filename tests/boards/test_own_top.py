@@ -327,7 +327,7 @@ def test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it(t
 @pytest.mark.rtl
 def test_a_project_wants_ports_in_small_letters(tmp_path: Path) -> None:
     text = SMALL.replace("0 to width", "2 downto 0")
-    with pytest.raises(ArgumentError, match=r"^Vivado tells capitals .*: the port Led was expected as led$"):
+    with pytest.raises(ArgumentError, match=r"^Vivado distinguishes capitals .*: the port Led was expected as led$"):
         make_project(PANEL, *load_board("arty_a7"), tmp_path / "out", own=own(tmp_path, text))
     assert not (tmp_path / "out").exists()
 

@@ -107,7 +107,7 @@ def test_a_socket_at_which_a_program_stands_still_with_a_full_backlog_is_told_at
         assert errno.EAGAIN in [caller.connect_ex(place) for caller in callers]
         result = run("serve", "sim:", "--unix", place)
     assert result.returncode == 1
-    assert "served by another program, which answers nobody" in " ".join(result.stderr.split())
+    assert "served by another program, which accepts no connections" in " ".join(result.stderr.split())
     assert Path(place).is_socket()
 
 

@@ -97,7 +97,7 @@ def test_of_a_file_that_was_cut_what_is_whole_is_shown_and_the_rest_is_one_sente
     assert result.stdout.splitlines() == whole.stdout.splitlines()[:-1]
     (error,) = [line for line in result.stderr.splitlines() if line.startswith("error: ")]
     assert error.startswith(f"error: {snoop}: it is cut at byte ")
-    assert error.endswith("; what stands before was read")
+    assert error.endswith("; all records before it were read")
 
 
 @pytest.mark.parametrize(
@@ -105,8 +105,8 @@ def test_of_a_file_that_was_cut_what_is_whole_is_shown_and_the_rest_is_one_sente
     [
         (["missing"], "missing cannot be read: No such file or directory"),
         (["."], ". cannot be read: Is a directory"),
-        (["empty"], "empty is no snoop: one that ?snoop=FILE or UNITY_LINK_SNOOP wrote was expected"),
-        (["text"], "text is no snoop: one that ?snoop=FILE or UNITY_LINK_SNOOP wrote was expected"),
+        (["empty"], "empty is no snoop: a file written by ?snoop=FILE or UNITY_LINK_SNOOP was expected"),
+        (["text"], "text is no snoop: a file written by ?snoop=FILE or UNITY_LINK_SNOOP was expected"),
         (["other"], "other is no snoop of unity-link, but of dumpcap"),
         (["later"], "later is of another version, 'Unity-Link snoop 2'"),
         (["text", "--from", "2", "--to", "1"], "--to 1 is not after --from 2"),

@@ -235,7 +235,7 @@ def test_foreign_datagrams_are_no_boards() -> None:
             "each board and each address can be named once",
         ),
         (["--port", "0"], 2, "--port is '0': a whole number from 1 to 65535 was expected"),
-        (["nosuch.invalid"], 1, "nobody can be asked at port 21845: nosuch.invalid: "),
+        (["nosuch.invalid"], 1, "the question cannot be sent to port 21845: nosuch.invalid: "),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )

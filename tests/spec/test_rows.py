@@ -206,7 +206,7 @@ async def test_a_program_reads_writes_and_subscribes_to_each(tmp_path: Path) -> 
         values = await Group(*robot.imu.acc).get()
         assert [values[one] for one in robot.imu.acc] == [0, 9.5, 0]
         assert robot["imu.acc[2]"] is robot.imu.acc[2]
-    with pytest.raises(ArgumentError, match=r"acc\[0\] and what follows are 3 signals, and 2 were given"):
+    with pytest.raises(ArgumentError, match=r"acc\[0\] and the next ones are 3 signals, and 2 values were given"):
         gateway.robot.imu.acc = [1, 2]
 
 

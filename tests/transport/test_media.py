@@ -185,8 +185,8 @@ async def test_a_port_that_is_in_use_is_one_clear_error(library: str) -> None:
         ("tcp://127.0.0.1:1", "no connection to port 1 of 127.0.0.1 .*is it listening"),
         ("tcp://nowhere.invalid:7001", "no connection to port 7001 of nowhere.invalid"),
         ("udp://nowhere.invalid:7001", "no socket for port 7001 of nowhere.invalid"),
-        ("tcp://a..b:7001", "no connection to port 7001 of a..b .that cannot be a name.; is the name right"),
-        ("udp://.local:7001", "no socket for port 7001 of .local .that cannot be a name.; is the name right"),
+        ("tcp://a..b:7001", "no connection to port 7001 of a..b .that is not a host name.; is the name right"),
+        ("udp://.local:7001", "no socket for port 7001 of .local .that is not a host name.; is the name right"),
         ("mmio:/dev/zero?size=4096&offset=0x10000000000000000", "it cannot be mapped"),
     ],
 )

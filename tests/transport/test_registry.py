@@ -121,15 +121,17 @@ def test_a_scheme_is_registered_once() -> None:
 
 
 def test_an_object_that_is_no_driver_is_refused() -> None:
-    with pytest.raises(ArgumentError, match=r"^object is no driver for one:, for it has no connect and no OPTIONS$"):
+    with pytest.raises(ArgumentError, match=r"^object is no driver for one: because it has no connect and no OPTIONS$"):
         register("one", object())  # type: ignore[arg-type]
-    with pytest.raises(ArgumentError, match=r"for it has no OPTIONS$"):
+    with pytest.raises(ArgumentError, match=r"because it has no OPTIONS$"):
         register("one", SimpleNamespace(connect=print))
 
 
 def test_a_module_that_is_no_driver_or_is_not_there_is_one_sentence_when_it_is_asked_for() -> None:
     register("one", "textwrap")
-    with pytest.raises(ArgumentError, match=r"^textwrap is no driver for one:, for it has no connect and no OPTIONS$"):
+    with pytest.raises(
+        ArgumentError, match=r"^textwrap is no driver for one: because it has no connect and no OPTIONS$"
+    ):
         parse_url("one:")
     register("two", "nowhere_at_all")
     with pytest.raises(ConnectError, match=r"^nowhere_at_all, the driver of two:, cannot be imported \(No module"):

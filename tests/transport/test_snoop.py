@@ -137,7 +137,7 @@ def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> N
         ("missing/a.snoop", r"can't be made \(No such file or directory\)"),
         ("folder", r"can't be made \(Is a directory\)"),
         ("pipe", "can't be made|is no file"),
-        ("text", "is there, and no snoop to append to"),
+        ("text", "exists, and is no snoop to append to"),
     ],
 )
 def test_a_snoop_that_cannot_be_written_is_one_sentence_and_nothing_is_opened(
@@ -221,7 +221,7 @@ def test_a_file_that_is_not_proved_to_be_a_snoop_stays_as_it_is(content: bytes, 
     path.write_bytes(content)
 
     with pytest.raises(
-        ArgumentError, match=r"a\.snoop is there, and no snoop to append to \(.*\): choose another name"
+        ArgumentError, match=r"a\.snoop exists, and is no snoop to append to \(.*\): choose another name"
     ):
         write_and_read(f"sim:?snoop={path}")
 

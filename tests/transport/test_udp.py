@@ -378,7 +378,7 @@ def test_an_interface_or_ttl_that_cannot_be_is_one_clear_error(
 @pytest.mark.asyncio
 async def test_a_system_without_a_choice_of_interfaces_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr(socket, "SO_BINDTODEVICE")
-    with pytest.raises(ConnectError, match="interface=lo is only had on Linux"):
+    with pytest.raises(ConnectError, match="interface=lo works on Linux only"):
         await unity_link.connect("udp://127.0.0.1:7001?interface=lo")
 
 

@@ -399,7 +399,7 @@ def test_a_damaged_archive_is_named(
 @pytest.mark.parametrize("text", ["{", '{"default": {"origin": "1"}}'])
 def test_a_damaged_index_is_named(text: str, tmp_path: Path) -> None:
     (tmp_path / "models.json").write_text(text)
-    with pytest.raises(ArgumentError, match=r"models.json does not say what gateware there is \(.*\): install"):
+    with pytest.raises(ArgumentError, match=r"models.json is no index of the gateware \(.*\): install"):
         archive.read_index(tmp_path)
 
 

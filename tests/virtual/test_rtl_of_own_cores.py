@@ -122,7 +122,9 @@ def test_a_core_is_compared_with_its_simulation_unless_that_is_left_out(tmp_path
 
 def test_falling_edges_are_refused_and_an_error_has_the_name_of_the_users_file(tmp_path: Path) -> None:
     spec = written(tmp_path, CORE.replace("rising_edge", "falling_edge"))
-    with pytest.raises(ConversionError, match=r"^\S+mix\.vhd: a register takes falling edges of a clock, and rtl: has"):
+    with pytest.raises(
+        ConversionError, match=r"^\S+mix\.vhd: a register uses falling edges of a clock, and rtl: supports"
+    ):
         made(spec)
     (tmp_path / "cores" / "mix" / "mix.vhd").write_text(CORE.replace("given(11)", "giver(11)"))
     with pytest.raises(ConnectError) as raised:

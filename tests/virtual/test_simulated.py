@@ -355,7 +355,7 @@ async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to
         ("def start(self): 1 / 0", "the model Model cannot be made for rover: ZeroDivisionError"),
         ("def start(self): raise CancelledError", "the model Model cannot be made for rover: CancelledError"),
         ("def __init__(self): pass", "the model Model cannot be made for rover: TypeError"),
-        ("left = 3", "Model.left hides left of rover: call it otherwise"),
+        ("left = 3", "Model.left hides left of rover: give it another name"),
     ],
 )
 def test_a_mistake_in_a_model_is_one_clear_error(body: str, words: str, tmp_path: Path) -> None:
@@ -526,7 +526,7 @@ async def test_a_url_fires_triggers() -> None:
         ("sim:scara?model=my.py:A", "model is for the robot of a spec, not for scara"),
         ("sim:?fault=a", "fault is for the robot of a spec, not for plain memory"),
         ("sim:rover.ul?interface=x", "has no public interface 'x': rover was expected"),
-        ("sim:rover.ul?fault=left.speed:broken", "one of error, timeout, frozen was expected behind the colon"),
+        ("sim:rover.ul?fault=left.speed:broken", "one of error, timeout, frozen was expected after the colon"),
         ("sim:rover.ul?trigger=bump", "a group and a rate in Hz were expected, as in state:10"),
         ("sim:rover.ul?trigger=motion:3", "no trigger in the group 'motion'"),
         ("sim:rover.ul?trigger=bump:0", "a trigger of 0 Hz was asked for"),

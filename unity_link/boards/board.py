@@ -1,4 +1,4 @@
-"""The description of a board: its FPGA, its clock, the medium of its link, and the pins of both."""
+"""The description of a board: its FPGA, its clock, the medium of its link, and their pins."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from unity_link.protocol.wire.discovery import parse_ip, parse_mac
 
 _DATA_PINS = tuple(f"ft_data[{bit}]" for bit in range(8))
 CHAIN = {"chain_clk": "output", "chain_load_n": "output", "chain_out": "output", "chain_in": "input"}
-"""The pins of a chain of shift registers, which a board file may leave out, and their directions."""
+"""Pins of a chain of shift registers, with their directions; optional in a board file."""
 _FT245 = {
     **dict.fromkeys(_DATA_PINS, "inout"),
     "ft_rxf_n": "input",
@@ -65,16 +65,16 @@ PINS = {
         **CHAIN,
     },
 }
-"""The pins of a whole generated design, as `generate vhdl` makes it for each medium, and their directions."""
+"""Pins of a whole generated design (`generate vhdl`) for each medium, with their directions."""
 CLOCKS = {
     "ft245_sync": {"ft_clkout": 60_000_000},
     "rmii": {"phy_clk": 50_000_000},
     "mii": {"phy_rx_clk": 25_000_000, "phy_tx_clk": 25_000_000},
     "rgmii": {"phy_rx_clk": 25_000_000},
 }
-"""The clocks of chips that come in at pins of each medium, in Hz."""
+"""Clocks that external chips feed into pins, for each medium: frequency in Hz by pin."""
 _IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
-"""Inputs that are pulled up, so that one without a wire says nothing."""
+"""Inputs with a pull-up resistor, so that an unconnected one is inactive."""
 
 Pull = Literal["up", "down", "none"]
 
@@ -91,25 +91,25 @@ class BoardClock(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The clock of a board."""
 
     hz: int
-    """At the pin."""
+    """Frequency at the pin, in Hz."""
     core_hz: int | None = None
-    """Core clock in Hz that a PLL makes of the board's; None for no PLL."""
+    """Core clock in Hz that a PLL makes from the board's clock; None for no PLL."""
 
 
 class Io(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """An LED, a button or a pin of a header, or a row of them, beside what a generated design needs."""
+    """An LED, a button or a header pin, or a numbered row of these, that the link does not use."""
 
     site: str | None = None
-    """Place of one pin."""
+    """Site of a single pin."""
     sites: tuple[str, ...] = ()
-    """Places of pins that are counted."""
+    """Sites of numbered pins."""
     first: int = 0
     """Number of the first of `sites`."""
     pull: Pull = "none"
     io_type: str | None = None
-    """None: that of the board."""
+    """I/O standard; None for that of the board."""
     about: str = ""
-    """Words of the board's own for it."""
+    """Label on the board or in its manual."""
 
     def named(self, name: str) -> dict[str, str]:
         """Return the site of each pin, by its name: `led` or, counted, `led0`, `led1`, ...; `pmod2_0` of `pmod2`."""
@@ -119,28 +119,28 @@ class Io(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
 
 
 def bit_name(name: str, number: int) -> str:
-    """Return the name of one of counted pins."""
+    """Return the name of a numbered pin."""
     return f"{name}{'_' if name[-1].isdigit() else ''}{number}"
 
 
 class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True):
-    """A board, as its file says it."""
+    """A board, as its file describes it."""
 
     title: str
     family: Literal["ice40", "ecp5", "gowin", "gatemate", "artix7", "cyclonev"]
     device: str
-    """Device as the family's nextpnr calls it; the whole part number where the vendor's tool places."""
+    """Device, as the family's nextpnr names it; the full part number if the vendor's tool places the design."""
     package: str
-    """Package as the family's nextpnr calls it; for Gowin the whole part number."""
+    """Package, as the family's nextpnr names it; for Gowin the full part number."""
     speed: int = 6
     """Speed grade of an ECP5."""
     medium: Literal["uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500"]
     baud: int | None = None
     """Baud rate of a UART."""
     mac: str | None = None
-    """Address of the MAC of an Ethernet port, as 02:55:4c:00:00:01; None for that of `unity_link`."""
+    """MAC address of the Ethernet port, as 02:55:4c:00:00:01; None for the default of the entity `unity_link`."""
     ip: str | None = None
-    """Its address of IP, as 192.168.1.100; None for that of `unity_link`."""
+    """IP address of the Ethernet port, as 192.168.1.100; None for the default of the entity `unity_link`."""
     io_type: str = "LVCMOS33"
     programmer: tuple[str, ...] = ()
     """Options of openFPGALoader."""
@@ -148,21 +148,21 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     pins: dict[str, str]
     """The site of each pin of `PINS`."""
     io: dict[str, Io] = {}
-    """LEDs, buttons and headers by name, for designs of a user's own."""
+    """LEDs, buttons and headers by name, for users' designs."""
 
     @property
     def core_hz(self) -> int:
-        """The frequency that the gateway runs at."""
+        """Clock frequency of the gateway, in Hz."""
         return self.clock.core_hz or self.clock.hz
 
     @property
     def clocks(self) -> dict[str, int]:
-        """The frequencies that come in at pins."""
+        """Frequency in Hz of each clock pin."""
         return {"clk": self.clock.hz, **CLOCKS.get(self.medium, {})}
 
     @property
     def generics(self) -> dict[str, int | str]:
-        """Values of the generics of a whole design: numbers, and the bits of vectors."""
+        """Values of the generics of a whole design: numbers, and vectors as strings of bits."""
         found: dict[str, int | str] = {"clock_hz": self.core_hz}
         if self.medium == "uart" and self.baud:
             found["baud"] = self.baud
@@ -174,20 +174,20 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
 
     @property
     def has_pads(self) -> bool:
-        """True if registers of a vendor's pads belong at the pins: those of an FT245."""
+        """True if the pins use registers in the vendor's pads, as those of an FT245 do."""
         return self.medium.startswith("ft245")
 
     @property
     def medium_pins(self) -> dict[str, Pin]:
-        """The pins of a whole generated design."""
+        """Pins of a whole generated design."""
         pulls: dict[str, Pull] = dict.fromkeys(_IDLE_HIGH, "up")
-        # An iCE40 has none that pull down, and the end of a chain is not left to itself.
+        # The end of a chain must not float; an iCE40 has no pull-down resistors.
         pulls["chain_in"] = "up" if self.family == "ice40" else "down"
         return {pin: Pin(site, pulls.get(pin, "none"), self.io_type) for pin, site in self.pins.items()}
 
     @property
     def io_pins(self) -> dict[str, Pin]:
-        """The pins of `io`, each by its name."""
+        """Pins of `io` by name."""
         return {
             pin: Pin(site, io.pull, io.io_type or self.io_type)
             for name, io in self.io.items()

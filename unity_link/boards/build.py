@@ -1,4 +1,4 @@
-"""The way from an interface to a bitstream and its report, and into the board."""
+"""Builds a bitstream and a report from an interface, and programs a board."""
 
 from __future__ import annotations
 
@@ -41,43 +41,46 @@ if TYPE_CHECKING:
 log = logging.getLogger("unity_link.build")
 _SEEDS = range(1, 6)
 _MAC, _IP = "02:55:4c:00:00:01", "192.168.1.100"
-"""Addresses of `unity_link` by itself."""
+"""Default addresses of the entity `unity_link`."""
 _TOP = "unity_link_board"
 _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
 _UNBOUND = re.compile(r"Module `\\(\S+)' referenced in module `\\(\S+)' in cell")
 _GATEWARES_MEMORIES = "setattr -set no_rw_check 1 ul_*/m:*"
-"""No memory of the gateware uses a word that it reads while that is being written; one of a user's may."""
+"""Leaves bypass logic out of the gateware's memories: no read result is used if its word is written in the same cycle.
+
+A user's memories may need bypass logic.
+"""
 _MHZ = 1e6
 _LOADER = "openFPGALoader"
 _PAD = "<async>"
-"""Begin or end of a way at a pad, in nextpnr's report."""
+"""Name of a pad as the start or end of a path, in nextpnr's report."""
 _ANY = ""
-"""Warnings of the tools do not fail a build: `make synth` checks the same gateware, and they are errors there."""
+"""Accepts any warning of the tools: `make synth` checks the same gateware, and treats warnings as errors."""
 
 
 class BuildError(UnityLinkError):
-    """A spec cannot become a bitstream for a board; the message says what is in the way."""
+    """A spec cannot become a bitstream for a board; the message is the reason."""
 
 
 class Built(NamedTuple):
-    """Files and figures that a build leaves."""
+    """Files that a build writes."""
 
     bitstream: Path
     report: Path
 
 
 class Design(NamedTuple):
-    """A design in Verilog, with its place on a board."""
+    """A design in Verilog, with its pins on a board."""
 
     module: str
     verilog: str
     ports: tuple[Port, ...]
     pins: dict[str, Pin]
-    """The pin of each port, or of each bit of one."""
+    """Pin of each port, or of each bit of a vector."""
     remarks: tuple[str, ...] = ()
-    """Warnings about files of the user's."""
+    """Warnings about the user's files."""
     compared: tuple[str, ...] = ()
-    """Entities of the user's that were compared with GHDL's simulation, with the numbers of cycles."""
+    """Entities of the user that were compared with GHDL's simulation, with the number of cycles of each."""
 
     @property
     def ways(self) -> dict[str, str]:
@@ -93,7 +96,7 @@ class _Placed(NamedTuple):
     clocks: dict[str, tuple[float, float]]
     """Frequency reached and frequency needed, in MHz, for each clock."""
     ways: dict[tuple[str, str], float]
-    """Longest way in the fabric in ns between registers of a clock and pads: by clock, and `in` or `out`."""
+    """Longest delay in ns in the fabric between pads and the registers of a clock, by clock and `in` or `out`."""
     seed: int
 
 
@@ -108,25 +111,26 @@ def build(
     overwrite: Overwrite = False,
     note: Callable[[str], None] = lambda _: None,
 ) -> Built:
-    """Make the bitstream of a board, and a report beside it; nothing is written before both are made.
+    """Make the bitstream of a board, and a report about it; write both only after both are complete.
 
     Args:
         spec: a compiled spec.
-        board_name: what the files are named after, beside the interface.
-        board: what it is.
-        output: the directory, which is made.
-        interface: which public interface, where there are several.
-        own: a user's VHDL: entities behind components, or with a top, one in the place of the generated whole design.
-        overwrite: whether files that this package did not make may go.
-        note: gets a line for each warning about the user's files, and for a seed with which the router came to no end.
+        board_name: name of the board; the files are named after the interface and the board.
+        board: description of the board.
+        output: the directory; it is created.
+        interface: name of the public interface, if the spec has several.
+        own: the user's VHDL: entities of components, and optionally a top that replaces the generated whole design.
+        overwrite: True if files that this package did not make may be replaced.
+        note: gets a line for each warning about the user's files, and for each seed with which the router did not
+            finish.
 
     Raises:
-        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or a port of the user's
-            top is no pin of the board; or the files cannot be written, or others are in their way.
-        BuildError: where the design does not fit, or not in time, or a site is none.
-        ConversionError: where a tool refuses the design for another reason.
-        ToolMissingError: where a tool is not there.
-        UnsupportedError: where the spec names FIFO ports or modules, and there is no top of the user's behind them.
+        ArgumentError: if the board's clock cannot be made, or is too slow for the groups; if a port of the user's top
+            is not a pin of the board; or if the files cannot be written, or other files have their names.
+        BuildError: if the design does not fit or is too slow, or if a site does not exist.
+        ConversionError: if a tool refuses the design for another reason.
+        ToolMissingError: if a tool is not installed.
+        UnsupportedError: if the spec has FIFO ports or modules, and the user has no top that implements them.
     """
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
@@ -134,7 +138,7 @@ def build(
         vhdl.check_whole(chosen)
     chosen.check_clock(board.core_hz)
     check_generics(vhdl.gateway_generics(chosen) | generics_on(board, chosen))
-    # What is missing is said at once, not after a minute.
+    # Report missing tools now, not after a minute of work.
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
     converting_ghdl()
@@ -187,13 +191,13 @@ def _make(
 
 
 def synthesise(design: Design, board: Board, work: Path) -> None:
-    """Write a design, mapped to the cells of the board's FPGA, into `work` as `mapped.json`.
+    """Map a design to the cells of the board's FPGA, and write it into `work` as `mapped.json`.
 
     Raises:
-        ArgumentError: where the board's clock cannot be made.
-        BuildError: where nothing stands behind a component.
-        ConversionError: where a tool refuses the design for another reason.
-        ToolMissingError: where a tool is not there.
+        ArgumentError: if the board's clock cannot be made.
+        BuildError: if no file has the entity of a component.
+        ConversionError: if a tool refuses the design for another reason.
+        ToolMissingError: if a tool is not installed.
     """
     (work / "design.v").write_text(design.verilog)
     (work / "top.v").write_text(top_text(design.module, board, design.ports))
@@ -208,12 +212,12 @@ def synthesise(design: Design, board: Board, work: Path) -> None:
 
 
 def top_text(module: str, board: Board, ports: Sequence[Port]) -> str:
-    """Return the top in Verilog: the design, and the PLL where the board has one.
+    """Return the top in Verilog: the design, and a PLL if the board needs one.
 
     Raises:
-        ArgumentError: where the clock cannot be made.
+        ArgumentError: if the clock cannot be made.
     """
-    # Names with a backslash in front: one of a board's may be a word of Verilog.
+    # Escaped names (with a backslash): a pin's name may be a keyword of Verilog.
     at_pins = [port for port in ports if port.name != READY]
     widths = {port.name: f"[{port.width - 1}:0] " if port.width else "" for port in ports}
     heads = ",\n".join(f"  {port.way} {widths[port.name]}\\{port.name} " for port in at_pins)
@@ -242,25 +246,25 @@ def design_of(
     work: Path,
     own: Own | None = None,
 ) -> Design:
-    """Return the whole generated design, or the top of a user's own with what is generated.
+    """Return the whole generated design, or the user's top with the generated sources.
 
     Args:
         spec: a compiled spec.
-        interface: which one of it.
-        board_name: what messages call the board.
-        board: what it is for.
-        work: a folder for files between.
-        own: the user's.
+        interface: an interface of the spec.
+        board_name: name of the board in messages.
+        board: description of the board.
+        work: a folder for intermediate files.
+        own: the user's VHDL.
 
     Raises:
-        ArgumentError: where a port of the user's top is no pin of the board, or an entity of the spec has no file.
-        ConversionError: where GHDL refuses the sources.
-        ToolMissingError: where it is not there.
+        ArgumentError: if a port of the user's top is not a pin of the board, or an entity of the spec has no file.
+        ConversionError: if GHDL refuses the sources.
+        ToolMissingError: if GHDL is not installed.
     """
     check_entities(interface, own)
     is_generated = own is None or own.top is None
     files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True, whole=is_generated)
-    # The bench is no part of a design.
+    # The generated bench is not part of the design.
     sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
     generics = board.generics
     pads = FAMILIES[board.family].pads if board.has_pads else None
@@ -286,11 +290,11 @@ def design_of(
 def _place(
     name: str, board_name: str, board: Board, work: Path, design: Design, note: Callable[[str], None]
 ) -> _Placed:
-    """Place and route, with the first seed with which the router comes to an end.
+    """Place and route a design with the first seed with which the router finishes.
 
     Raises:
-        BuildError: where it does not fit, or not in time, or a site is none.
-        ConversionError: where nextpnr refuses the design for another reason.
+        BuildError: if the design does not fit or is too slow, or if a site does not exist.
+        ConversionError: if nextpnr refuses the design for another reason.
     """
     for seed in _SEEDS:
         log.warning(
@@ -300,12 +304,12 @@ def _place(
             _place_with(seed, board, work)
             break
         except EndlessError:
-            note(f"the router came to no end with seed {seed} of {_SEEDS[-1]}, and was stopped")
+            note(f"the router did not finish with seed {seed} of {_SEEDS[-1]}, and was stopped")
         except RefusedError as error:
             raise BuildError(refusal(error, name, board_name, board, design.pins)) from error
     else:
         raise BuildError(
-            f"{name} cannot be routed on {board_name}: the router came to no end with any of the seeds 1 to "
+            f"{name} cannot be routed on {board_name}: the router did not finish with any of the seeds 1 to "
             f"{_SEEDS[-1]}; take fewer signals and cores, or a larger FPGA"
         )
     report: dict[str, Any] = json.loads((work / "report.json").read_text())
@@ -313,7 +317,7 @@ def _place(
     for net, figures in report["fmax"].items():
         clock, reached = _clock(net, board), float(figures["achieved"])
         needed_of = (board.clocks | {"clk": board.core_hz})[clock] / _MHZ
-        # A user's design may have further clocks, made of the board's: the slowest counts.
+        # A user's design may derive further clocks from the board's clock: report the slowest.
         clocks[clock] = min(clocks.get(clock, (reached, needed_of)), (reached, needed_of))
     used = {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()}
     placed = _Placed(used, clocks, _ways(report.get("critical_paths", ()), board), seed)
@@ -327,7 +331,7 @@ def _place(
 
 
 def _ways(paths: Iterable[Mapping[str, Any]], board: Board) -> dict[tuple[str, str], float]:
-    """Return the longest ways of nextpnr's report between pads and registers."""
+    """Return the longest delays in ns between pads and registers from nextpnr's report, as in `_Placed.ways`."""
     found: dict[tuple[str, str], float] = {}
     for path in paths:
         begin, end = path["from"], path["to"]
@@ -339,11 +343,11 @@ def _ways(paths: Iterable[Mapping[str, Any]], board: Board) -> dict[tuple[str, s
 
 
 def too_late(medium: str, ways: Mapping[tuple[str, str], float]) -> list[str]:
-    """Return a sentence for each way in the fabric that alone takes longer than a chip leaves between two edges.
+    """Return a sentence for each path in the fabric whose delay alone exceeds the time that the external chip leaves.
 
     Args:
-        medium: of the board.
-        ways: longest ways in ns, by clock, and `in` or `out`.
+        medium: the board's medium.
+        ways: longest delays in ns, by clock and `in` or `out`.
     """
     found = []
     for pins in PIN_TIMES.get(medium, ()):
@@ -367,7 +371,7 @@ def _place_with(seed: int, board: Board, work: Path) -> None:
 
 
 def refusal(error: RefusedError, name: str, board_name: str, board: Board, pins: Mapping[str, Pin]) -> str:
-    """Return a sentence for what nextpnr refused."""
+    """Return a sentence that explains why nextpnr refused a design."""
     resources = FAMILIES[board.family].resources
     reasons = [line for line in error.output.splitlines() if "ERROR" in line]
     for pin, (site, *_) in pins.items():
@@ -384,8 +388,8 @@ def refusal(error: RefusedError, name: str, board_name: str, board: Board, pins:
 
 
 def _clock(net: str, board: Board) -> str:
-    """Return what a clock of nextpnr's report is called in the top."""
-    # Inside the gateway that of RMII has two names, of which the net may have either.
+    """Return the name in the top of a clock in nextpnr's report."""
+    # The clock of RMII has two names inside the gateway, and nextpnr may report either.
     inside = dict.fromkeys(("phy_rx_clk", "phy_tx_clk"), "phy_clk") if board.medium == "rmii" else {}
     names = {clock: clock for clock in board.clocks if clock != "clk"} | inside
     return next((clock for name, clock in names.items() if name in net), "clk")
@@ -443,7 +447,7 @@ def report_text(
 
 
 def _pin_times(medium: str, ways: Mapping[tuple[str, str], float]) -> str:
-    """Return the part of a report about pins whose times nextpnr does not check."""
+    """Return the section of a report about the pins whose timing nextpnr does not check."""
     if medium not in PIN_TIMES:
         return ""
     rows = []
@@ -489,10 +493,10 @@ def _link(board: Board) -> str:
 
 
 def loader() -> str:
-    """Return the command that puts bitstreams into boards.
+    """Return the path of openFPGALoader.
 
     Raises:
-        ToolMissingError: where there is none.
+        ToolMissingError: if it is not installed.
     """
     command = shutil.which(_LOADER)
     if command is None:
@@ -501,11 +505,11 @@ def loader() -> str:
 
 
 def program(board: Board, bitstream: Path) -> None:
-    """Put a bitstream into a board that is plugged in.
+    """Load a bitstream into a connected board.
 
     Raises:
-        BuildError: where openFPGALoader says that it failed.
-        ToolMissingError: where it is not there.
+        BuildError: if openFPGALoader fails.
+        ToolMissingError: if openFPGALoader is not installed.
     """
     with temporary_folder() as folder:
         done = run_tool([loader(), *board.programmer, str(bitstream)], folder)

@@ -1,6 +1,7 @@
-"""Checks of the file of a board, with a sentence for each thing that is wrong.
+"""Checks of a board's file; each fault is reported as a sentence.
 
-Its strings go into files and options of other programs, so that each is of letters that none of these obeys.
+The strings of the file are copied into files and options of other programs. They may therefore contain only characters
+without a special meaning to these programs.
 """
 
 from __future__ import annotations
@@ -27,13 +28,13 @@ _DEVICES = {
     "ice40": ["lp384", "lp1k", "lp4k", "lp8k", "hx1k", "hx4k", "hx8k", "up3k", "up5k", "u1k", "u2k", "u4k"],
     "ecp5": ["12k", "25k", "45k", "85k", "um-25k", "um-45k", "um-85k", "um5g-25k", "um5g-45k", "um5g-85k"],
 }
-"""Options of the nextpnr of a family that are devices."""
+"""Devices, as the options of a family's nextpnr name them."""
 _SPEEDS = (6, 7, 8)
 _PORT = re.compile(r"[a-z](?:_?[a-z0-9])*")
 _OF_A_TOP = ("clk_ready", "core_clk", "ready", "design", "pll")
-"""Names that the top of a board has beside its pins."""
+"""Names that a board's top uses for other things than pins."""
 _ONLY_UP = ("ice40", "cyclonev")
-"""Families whose pins have nothing that pulls down."""
+"""Families whose pins have no pull-down resistors."""
 _LOADER_VALUES = frozenset(
     {"-b", "--board", "-c", "--cable", "-d", "--device", "--busdev-num", "--freq", "--ftdi-channel", "--ftdi-serial"}
     | {"--fpga-part", "--index-chain", "--ip", "--pid", "--port", "--vid"}
@@ -42,17 +43,17 @@ _LOADER_FLAGS = frozenset(
     {"-f", "--write-flash", "-m", "--write-sram", "-r", "--reset", "--external-flash", "--invert-read-edge"}
     | {"--unprotect-flash", "--verify", "-v", "--verbose"}
 )
-"""Options of openFPGALoader that choose a board and a way to it: others write files, or load other ones."""
+"""Options of openFPGALoader that choose a board and a connection to it; other options could read or write files."""
 _LOADER_VALUE = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_./:-]*")
 
 
 def misuse(data: dict[str, Any], kind: type[msgspec.Struct], before: str = "") -> str:
-    """Return the sentence about the first entry of a table that a structure does not take; empty where it takes all.
+    """Return a sentence about the first entry of a table that does not fit a structure; empty if all entries fit.
 
     Args:
         data: the table.
         kind: the structure.
-        before: what stands before its keys, as ``clock.``.
+        before: prefix of the keys in the sentence, such as ``clock.``.
     """
     hints = typing.get_type_hints(kind)
     for key, value in data.items():
@@ -76,7 +77,7 @@ def _misfit(key: str, value: object, hint: Any) -> str:
 
 
 def _about(key: str, value: object, hint: Any) -> str:
-    """Return the sentence about a value of another type than is expected."""
+    """Return a sentence about a value that does not have the expected type."""
     if isinstance(value, dict):
         if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
             return misuse(value, hint, f"{key}.")
@@ -97,20 +98,20 @@ def _expected(hint: Any) -> str:
 
 
 def shown(value: object) -> str:
-    """Return a value as a sentence shows it, shortened."""
+    """Return a value for a message, shortened if it is long."""
     text = repr(value)
     return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}...{text[-1]}"
 
 
 def name_fault(name: str) -> str:
-    """Return what is wrong with the name of a board's file, which files and projects are named after; or nothing."""
+    """Return a sentence about the fault of a board's name, which becomes part of file names; empty if it has none."""
     if _NAME.fullmatch(name):
         return ""
     return f"its name is {shown(name)}, letters, digits, '_', '-' and '.' were expected, as projects are named after it"
 
 
 def spelling_fault(board: Board) -> str:
-    """Return the sentence about the first string of a board that no program is to get; empty where there is none."""
+    """Return a sentence about the first string of a board that is unsafe for other programs; empty if all are safe."""
     return next(filter(None, _spelling_faults(board)), "")
 
 
@@ -137,7 +138,7 @@ def _spelling_faults(board: Board) -> typing.Iterator[str]:
 
 
 def io_fault(board: Board) -> str:
-    """Return the sentence about the first of the pins beside the medium's that is none; empty where there is none."""
+    """Return a sentence about the first invalid entry of a board's `io`; empty if all are valid."""
     return next(filter(None, _io_faults(board)), "")
 
 

@@ -1,6 +1,6 @@
-"""Frequencies of PLLs: the settings that make exactly what a board asks for.
+"""Settings of PLLs that make exactly the core clock that a board's file requests.
 
-Exactly, because baud rates and instants are counted in cycles of this clock. The limits are those of the data sheets:
+The frequency must be exact, because baud rates and times are counted in cycles of this clock. The limits are from:
 Lattice TN1251 (iCE40) and TN1263 (ECP5), Gowin UG286 and the devices' own, Cologne Chip DS1001 (GateMate).
 """
 
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 _MHZ = 1_000_000
 _ICE40_PADS = {("up5k", "35")}
-"""Sites whose input goes to the PLL alone."""
-# Up to which frequency, in MHz, of the phase detector the filter has which setting.
+"""Device and site of clock inputs that are connected only to the PLL."""
+# Highest frequency of the phase detector in MHz, and the setting of the filter up to it.
 _ICE40_FILTERS = ((17, 1), (26, 2), (44, 3), (66, 4), (101, 5), (133, 6))
 
 
@@ -29,14 +29,14 @@ class _Settings(NamedTuple):
     """Divider of the input clock."""
     factor: int
     output: int
-    """Divider from the oscillator to the output."""
+    """Divider between the oscillator and the output."""
 
 
 def pll(board: Board) -> str:
-    """Return the instance of a PLL in Verilog: from `clk` it makes `core_clk`, and `ready` when that is stable.
+    """Return the Verilog instance of a PLL that makes `core_clk` from `clk`; `ready` is its lock signal.
 
     Raises:
-        ArgumentError: where the board's FPGA cannot make the frequency.
+        ArgumentError: if the board's FPGA cannot make the frequency.
     """
     candidates, text = {
         "ice40": (_ice40, _ice40_text),
@@ -61,9 +61,18 @@ def _within(
     detector: tuple[int, int],
     vco: range,
 ) -> Iterator[_Settings]:
-    """Find settings of a PLL whose oscillator runs at input / divider * factor; frequencies of limits are in MHz."""
+    """Yield the possible settings of a PLL whose oscillator runs at input / divider * factor.
+
+    Args:
+        hz: input frequency in Hz.
+        dividers: possible dividers of the input clock.
+        factors: possible factors.
+        outputs: possible dividers of the output.
+        detector: lowest and highest frequency of the phase detector, in MHz.
+        vco: lowest and highest frequency of the oscillator, in MHz.
+    """
     for divider in dividers:
-        # Whole numbers are compared: there are a million of settings to look at.
+        # Compare integers, not fractions: there are a million settings to try.
         unit = divider * _MHZ
         if not detector[0] * unit <= hz <= detector[1] * unit:
             continue
@@ -80,7 +89,7 @@ def _ice40(hz: int) -> Iterator[_Settings]:
 def _feedback(
     hz: int, dividers: range, factors: range, outputs: Iterable[int], detector: tuple[int, int], vco: range
 ) -> Iterator[_Settings]:
-    """Find settings of a PLL whose output is fed back: it is input / divider * factor."""
+    """Yield the possible settings of a PLL with feedback from its output, which runs at input / divider * factor."""
     for output in outputs:
         for found in _within(hz, dividers, range(output, factors.stop * output, output), (output,), detector, vco):
             yield found._replace(factor=found.factor // output)
@@ -92,12 +101,12 @@ def _ecp5(hz: int) -> Iterator[_Settings]:
 
 def _gowin(hz: int) -> Iterator[_Settings]:
     outputs = (2, 4, 8, 16, 32, 48, 64, 80, 96, 112, 128)
-    # What all of GW1N, GW1NR, GW2A and GW2AR can.
+    # The limits that GW1N, GW1NR, GW2A and GW2AR have in common.
     return _feedback(hz, range(1, 65), range(1, 65), outputs, (3, 400), range(500, 1200))
 
 
 def _gatemate(hz: int) -> Iterator[_Settings]:
-    # Two dividers in a row make the factor, of which the first one halves at least and ends at 64.
+    # The factor is the product of two dividers; the first one is 2 to 64.
     factors = [factor for factor in range(2, 201) if any(factor % first == 0 for first in range(2, 65))]
     return _within(hz, (1,), factors, range(4, 4097, 4), (5, 50), range(500, 1000))
 

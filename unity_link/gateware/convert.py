@@ -1,7 +1,7 @@
-"""VHDL to Verilog: one entity with chosen generics, all of its hierarchy in one file.
+"""Converts VHDL to Verilog: one entity with given values of generics, and all of its hierarchy, into one file.
 
-A warning about the gateware is an error here, but for those of attributes, as is what is never assigned. GHDL itself
-refuses latches. What GHDL is known to convert wrongly is refused.
+Warnings about the gateware are errors here, except for those about attributes; so are nets without a driver. GHDL
+refuses latches. `refused` finds VHDL that GHDL is known to convert wrongly.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 
 __all__ = ["ConversionError", "cleaned", "to_verilog"]
 
-# VHDL does not tell small letters from capitals, Verilog does: these names, and all of their ports, are capitals.
+# Primitives of vendors: their names and those of their ports are in capitals in Verilog, which is case-sensitive.
 _PRIMITIVES = re.compile(r"^  (?:delayg|ifs1p3bx|ofs1p3bx|dffp|fdpe)\b.*?\);$", re.MULTILINE | re.DOTALL)
 _THEIR_NAMES = re.compile(r"^  \w+|\.\w+\(", re.MULTILINE)
 _MOST_FAULTS = 12
-# Attributes speak to the vendors' tools, each to its own.
+# Attributes are instructions for vendors' tools, which GHDL does not handle.
 _FOR_OTHER_TOOLS = "[-Wunhandled-attribute]"
 
 
@@ -36,16 +36,16 @@ def to_verilog(
     extra_sources: Sequence[Path] = (),
     pads: str | None = None,
 ) -> Path:
-    """Return a Verilog file of the entity `top`, converted unless that was done before.
+    """Return the path of a Verilog file of the entity `top`; convert it if the cache does not have it.
 
     Args:
         top: name of the entity in the gateware or `extra_sources`.
-        generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
-        extra_sources: VHDL files beside those of the gateware, of the library `work`.
-        pads: whose registers are at the pins, as in `vhdl_sources`.
+        generics: values of its generics; other generics keep their defaults. Booleans may be Python's.
+        extra_sources: VHDL files of the library `work`, besides those of the gateware.
+        pads: vendor of the registers at the pins, as in `vhdl_sources`.
 
     Raises:
-        ConversionError: if GHDL refuses the sources, or warns of something in them.
+        ConversionError: if GHDL refuses the sources or warns about them, or would convert them wrongly.
         ToolMissingError: if there is no GHDL that can be used.
     """
     gateware = sources_for(top, extra_sources, pads)
@@ -75,12 +75,12 @@ def to_verilog(
 
 
 def never_assigned(verilog: str) -> list[str]:
-    """Return the lines of GHDL's Verilog that give a net no value, of which GHDL does not warn."""
-    # Where a `case` names all values, its default is unknown, too.
+    """Return the lines of GHDL's Verilog that assign unknown bits to a net; GHDL does not warn about these."""
+    # Skip conditional assignments: the default of a `case` that names all values is unknown as well.
     return re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", verilog, re.MULTILINE)
 
 
 def cleaned(verilog: str) -> str:
-    """Return GHDL's Verilog with primitives as vendors spell them, and without the remarks, which name files."""
+    """Return GHDL's Verilog with the vendors' spelling of primitives, and without comments that name source files."""
     text = re.sub(r"^ */\*.*?\*/\n", "", verilog, flags=re.MULTILINE)
     return _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)

@@ -1,6 +1,6 @@
-"""The VHDL of a design in a folder of GHDL's: imported, analysed, synthesised and simulated.
+"""The VHDL of a design in a working folder of GHDL, to be analysed, synthesised and simulated.
 
-A message about a user's file has the name that the user gave the file; a generated file has its name without a folder.
+Messages contain the path of a user's file as the user wrote it, and the name of a generated file without its folder.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 STD = "--std=08"
-# Only the vendors' primitives are components without an entity: GHDL copies their instances into the result.
+# Components without an entity are vendors' primitives: GHDL copies their instances into the Verilog.
 _UNBOUND = "-Wno-binding"
 _MESSAGE = re.compile(r"^(?P<file>.+?):(?P<place>\d+:\d+):(?P<kind>error|warning|\(assert failure\)): *(?P<words>.*)$")
-# Of a simulation: the place of an error, and an assertion that has ended the simulation.
+# Ends of a simulation: a run-time error with its place, and a failed assertion.
 _BOUND = re.compile(r"error: (?P<words>.+) at (?P<file>\S+):(?P<line>\d+)$", re.MULTILINE)
 _STOPPED = re.compile(r"^(?P<file>.+?):(?P<place>\d+:\d+):@\w+:\(\w+ failure\): *(?P<words>.*)$", re.MULTILINE)
 _CRASH = re.compile(r"^raised (.+)$", re.MULTILINE)
@@ -49,10 +49,10 @@ class ConversionError(UnityLinkError):
 
 
 class OwnFile(NamedTuple):
-    """A file of a user's."""
+    """A user's VHDL file."""
 
     path: Path
-    """As the user named it."""
+    """Path as the user wrote it."""
     data: bytes
 
     @property
@@ -62,14 +62,14 @@ class OwnFile(NamedTuple):
 
 
 class GhdlMessage(NamedTuple):
-    """A line of GHDL's about a place in a source."""
+    """A message of GHDL about a place in a source."""
 
     file: str
-    """Name of the file for a reader."""
+    """Name of the file for messages."""
     place: str
     """Line and column, as in ``12:3``."""
     kind: str
-    """One of error, warning and (assert failure)."""
+    """Either `error`, `warning` or `(assert failure)`."""
     words: str
     is_own: bool
     """True if the file is a user's."""
@@ -79,11 +79,13 @@ class GhdlMessage(NamedTuple):
 
 
 class Renaming:
-    """Other names for output ports whose names are keywords of Verilog, while GHDL reads and writes texts.
+    """Renames output ports whose names are keywords of Verilog before GHDL reads VHDL, and back in GHDL's output.
+
+    A new name differs from all words of the design and has the length of the old one, so that columns in messages stay
+    correct.
 
     Args:
-        texts: all VHDL of a design. A new name is in none of these texts and as long as the old one, so that columns
-            stay.
+        texts: all VHDL of a design.
     """
 
     def __init__(self, texts: Iterable[str]) -> None:
@@ -104,7 +106,7 @@ class Renaming:
         return bool(self._others)
 
     def vhdl(self, text: str) -> str:
-        """Return a text of VHDL with the other names."""
+        """Return a VHDL text with the new names."""
         if not self:
             return text
 
@@ -114,11 +116,11 @@ class Renaming:
         return self._there.sub(other_of, text)
 
     def verilog(self, text: str) -> str:
-        """Return a text of Verilog with the names of the VHDL."""
+        """Return a Verilog text with the original names."""
         return self._restored(text, "\\{} ")
 
     def plain(self, text: str) -> str:
-        """Return a text of another kind with the names of the VHDL."""
+        """Return a message or another text with the original names."""
         return self._restored(text, "{}")
 
     def _restored(self, text: str, whole: str) -> str:
@@ -133,17 +135,17 @@ class Renaming:
 
 
 class GhdlDesign:
-    """VHDL in a folder of GHDL's.
+    """The VHDL of a design in a working folder of GHDL.
 
     Args:
-        folder: an empty folder, which must outlive this.
-        gateware: sources of the library of the gateware.
-        others: further sources, of the library `work`.
-        own: a user's files, of the library `work`; GHDL gets them under names without meaning.
+        folder: an empty folder, which must exist as long as the object is used.
+        gateware: sources of the gateware's library.
+        others: further sources, in the library `work`.
+        own: a user's files, in the library `work`; GHDL gets copies with generated names.
 
     Attributes:
         messages: GHDL's warnings so far.
-        version: that of GHDL.
+        version: version line of GHDL.
 
     Raises:
         ConversionError: if GHDL cannot read a file.
@@ -162,7 +164,7 @@ class GhdlDesign:
         texts |= {self._folder / name: file.data.decode("latin-1") for name, file in self._own.items()}
         self.renaming = Renaming(texts.values())
         self.copies = {file: self._folder / name for name, file in self._own.items()}
-        """Paths of a user's files for GHDL."""
+        """Path of GHDL's copy of each of the user's files."""
         staged: dict[Path, Path] = {}
         for number, (path, text) in enumerate(texts.items()):
             staged[path] = path
@@ -174,22 +176,22 @@ class GhdlDesign:
                 staged[path].write_bytes(renamed.encode("latin-1"))
         self._staged = staged
         self._shown = {str(staged[path.resolve()]): _shown(path) for path in (*gateware, *others)}
-        # GHDL itself finds the order in which imported sources depend on each other.
+        # Import sources in any order: GHDL finds their dependencies.
         for library, paths in ((LIBRARY, gateware), ("work", others), ("work", self.copies.values())):
             if paths:
                 self.run("import", f"--work={library}", *(str(staged[path.resolve()]) for path in paths))
 
     def make(self, top: str, library: str = "work") -> None:
-        """Analyse an entity and all that it needs."""
+        """Analyse an entity and the units that it depends on."""
         self.run("make", f"--work={library}", top)
 
     def verilog(self, top: str, generics: Mapping[str, object], library: str = "work") -> str:
-        """Return the Verilog of an entity, as GHDL writes it, without assertions, of which Yosys knows none."""
+        """Return GHDL's Verilog of an entity, without assertions, because Yosys does not support them."""
         written = self.run("synth", f"--work={library}", "--no-formal", "--out=verilog", *as_options(generics), top)
         return self.renaming.verilog(written)
 
     def netlist(self, top: str, generics: Mapping[str, object], library: str = "work") -> str:
-        """Return GHDL's own dump of an entity's netlist, whose nets have the numbers of the Verilog."""
+        """Return an entity's netlist in GHDL's own format, with the same net numbers as the Verilog."""
         return self.run("synth", f"--work={library}", "--no-formal", "--out=raw", *as_options(generics), top)
 
     def description(self, *paths: Path, library: str = "work") -> str:
@@ -205,7 +207,7 @@ class GhdlDesign:
         self.run("import", str(path))
 
     def simulate(self, top: str) -> str:
-        """Simulate an entity without ports to its end; return the reason if it ended with an error, else nothing."""
+        """Simulate an entity without ports until it ends; return the reason if it fails, or an empty string."""
         try:
             self._ghdl.run("-r", STD, f"--workdir={self._folder}", top, "--ieee-asserts=disable", cwd=self._folder)
         except subprocess.CalledProcessError as error:
@@ -222,7 +224,7 @@ class GhdlDesign:
         """Run GHDL; return its output, and keep its warnings.
 
         Raises:
-            ConversionError: if GHDL fails; the message is its first error, with the user's name of the file.
+            ConversionError: if GHDL fails; the message is GHDL's first error, with the path that the user wrote.
         """
         options = (STD,) if command == "-f" else (STD, _UNBOUND, f"--workdir={self._folder}")
         try:
@@ -236,9 +238,9 @@ class GhdlDesign:
         return done.stdout
 
     def _reason(self, said: str) -> str:
-        """Return the line that explains a failure of GHDL's, of all lines that it wrote."""
+        """Return the most useful message from GHDL's output after a failure."""
         found = self._messages(said)
-        # An assertion comes first, and as an error without its words once more.
+        # GHDL prints a failed assertion with its text, and then as an error without the text.
         failed = [message for message in found if message.kind == "(assert failure)"]
         errors = failed or [message for message in found if message.kind == "error"]
         if errors:
@@ -250,7 +252,7 @@ class GhdlDesign:
         return f"GHDL failed: {([line for line in lines if line] or ['no reason given'])[-1]}"
 
     def line(self, file: str, line: int) -> tuple[str, str]:
-        """Return the name for a reader of a file that GHDL names, and the text of one of its lines."""
+        """Return the name for messages of a file that GHDL names, and the text of one of its lines."""
         path = self._folder / file
         lines = path.read_bytes().decode("latin-1").splitlines() if path.is_file() else []
         return self._name(file)[0], lines[line - 1] if line <= len(lines) else ""
@@ -272,7 +274,7 @@ class GhdlDesign:
 
 
 def as_options(generics: Mapping[str, object]) -> list[str]:
-    """Return the options that give generics to GHDL."""
+    """Return GHDL's options for values of generics."""
     return [f"-g{name}={_as_vhdl(value)}" for name, value in sorted(generics.items())]
 
 

@@ -1,4 +1,4 @@
-"""Entities and operators as GHDL understands them, from the syntax tree that GHDL writes in XML."""
+"""Reads entities and operators from the syntax tree that GHDL writes in XML."""
 
 from __future__ import annotations
 
@@ -18,12 +18,18 @@ class PortType(NamedTuple):
     """A port of an entity."""
 
     base: str
-    """Base type, such as std_ulogic_vector or unresolved_unsigned; empty for one without a name."""
+    """Base type, such as std_ulogic_vector or unresolved_unsigned; empty for a type without a name."""
     bounds: ET.Element | None
-    """The range of a vector; None for a port that is no vector."""
+    """Range of a vector; None for other ports."""
 
     def indexes(self, count: int) -> tuple[int, ...] | None:
-        """Return the indexes of a vector of so many elements from the rightmost one on; None if they are not known."""
+        """Return the indexes of a vector, rightmost element first.
+
+        None for other ports, and for a range whose ends are not numbers.
+
+        Args:
+            count: number of elements.
+        """
         if self.bounds is None:
             return None
         step = -1 if self.bounds.get("direction") == "to" else 1
@@ -36,7 +42,7 @@ class PortType(NamedTuple):
 
 
 class Entity(NamedTuple):
-    """Generics and ports of an entity, by their names in small letters."""
+    """Generics and ports of an entity, by name in small letters."""
 
     generics: dict[str, Generic]
     ports: dict[str, PortType]
@@ -50,7 +56,7 @@ class SyntaxTree:
         self._by_id = {element.get("id"): element for element in self._tree.iter() if element.get("id")}
 
     def entities(self) -> dict[str, Entity]:
-        """Return the entities, by their names in small letters."""
+        """Return the entities by name in small letters."""
         return {
             str(unit.get("identifier")): Entity(
                 {
@@ -64,7 +70,11 @@ class SyntaxTree:
         }
 
     def operators(self, function: str) -> set[tuple[str, str, str]]:
-        """Return file, line and column of each use of a function that GHDL knows, as an operator."""
+        """Return file, line and column of each operator that GHDL resolves to one of its predefined functions.
+
+        Args:
+            function: GHDL's name of the function.
+        """
         return {
             (str(element.get("file")), str(element.get("line")), str(element.get("col")))
             for element in self._tree.iter()

@@ -1,8 +1,8 @@
-"""External tools and the temporary folders that they work in: none of them outlives this program.
+"""Runs external tools and makes temporary folders; tools end and folders are removed when this program ends.
 
-A watcher reads from a pipe that this program holds: a shell in a session of its own, which no signal for this program
-reaches. The pipe is closed at the end of a block, and when this program dies, by whatever signal. The watcher then
-kills the tool with all processes that it started, or removes the folder.
+For each of them a watcher runs: a shell in its own session, so that signals sent to this program do not reach it. The
+watcher reads from a pipe. The pipe closes at the end of a block, and if any signal ends this program. The watcher then
+kills the tool and all processes that it started, or removes the folder.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     Output = int | IO[str] | IO[bytes]
 
 _SHELL = "/bin/sh"
-# The last line is the process group of a tool that runs, or empty. PATH may have no `rm`. Removing is tried again,
-# because a tool that is being killed may make one more file meanwhile.
+# The last line read is the process group of a running tool, or empty. PATH may not contain `rm`. Removing is retried,
+# because a tool may create files until it is killed.
 _WATCHER = """
 trap '' HUP INT TERM
 while read -r group; do last=$group; done
@@ -36,13 +36,13 @@ for folder; do
     for _ in 1 2 3 4 5 6 7 8 9 10; do rm -rf -- "$folder" && break; done
 done
 """
-# The shell reports its process group before it becomes the tool: the watcher has the group of every tool that runs.
+# The shell sends its process group to the watcher before it executes the tool, so the watcher can always kill the tool.
 _TOOL = 'echo "$$" >&0; exec "$@" </dev/null'
 _OF_THE_DISK = {errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EROFS}
 
 
 class FolderError(UnityLinkError):
-    """A folder cannot hold temporary files; the message names the folder, and a variable that names another one."""
+    """Temporary files cannot be written; the message names the folder, and the variable that selects another folder."""
 
     def __init__(self, around: Path, error: OSError, variable: str) -> None:
         self.reason = error.strerror or str(error)
@@ -54,10 +54,10 @@ def temporary_folder(parent: Path | None = None) -> Iterator[Path]:
     """Make a folder that is removed at the end of the block, also if a signal ends this program.
 
     Args:
-        parent: the folder around it; None for that of temporary files (TMPDIR).
+        parent: the folder in which it is made; None for the system's folder of temporary files (TMPDIR).
 
     Raises:
-        FolderError: if it cannot be made, or something in it cannot be written.
+        FolderError: if the folder cannot be made, or a file in it cannot be written.
     """
     around = Path(tempfile.gettempdir()) if parent is None else parent
     folder = around / f"unity-link-{secrets.token_hex(8)}"
@@ -81,15 +81,15 @@ def running(
     stdout: Output = subprocess.DEVNULL,
     stderr: Output = subprocess.PIPE,
 ) -> Iterator[subprocess.Popen[bytes]]:
-    """Run a tool, which ends with the block or with this program, as do the processes that it starts.
+    """Run a tool; it and the processes that it starts end at the latest with the block or with this program.
 
     Args:
         command: the tool and its arguments.
-        folder: for its own temporary files, a `temporary_folder`.
-        cwd: the folder in which it runs; None for that of this program.
-        environment: variables beside those of this program.
-        stdout: as that of `subprocess.Popen`.
-        stderr: likewise.
+        folder: a `temporary_folder` for the tool's own temporary files.
+        cwd: working directory of the tool; None for that of this program.
+        environment: additional environment variables.
+        stdout: as in `subprocess.Popen`.
+        stderr: as in `subprocess.Popen`.
     """
     with _watched() as alive:
         process = None
@@ -110,7 +110,7 @@ def running(
                     with contextlib.suppress(ProcessLookupError):
                         os.killpg(process.pid, signal.SIGKILL)
                     process.wait()
-                # The number of its group is free for another program from now on.
+                # Clear the watcher's group number: the system may now give it to another program.
                 with contextlib.suppress(OSError):
                     os.write(alive, b"\n")
 
@@ -126,24 +126,24 @@ def run(
     """Run a tool as `running` does, and return its exit status and its output.
 
     Args:
-        command: as that of `running`.
-        folder: as that of `running`.
-        cwd: as that of `running`.
-        environment: as that of `running`.
-        timeout: seconds after which the tool is ended.
+        command: as in `running`.
+        folder: as in `running`.
+        cwd: as in `running`.
+        environment: as in `running`.
+        timeout: seconds after which the tool is killed.
 
     Raises:
-        subprocess.TimeoutExpired: if it was ended.
+        subprocess.TimeoutExpired: if the tool was killed.
     """
     with running(command, folder, cwd=cwd, environment=environment, stdout=subprocess.PIPE) as process:
-        # It shows lines of a user's files, whose bytes may be any.
+        # The output may quote lines of a user's files, which need not be UTF-8.
         stdout, stderr = (text.decode(errors="replace") for text in process.communicate(timeout=timeout))
     return subprocess.CompletedProcess(list(command), process.returncode, stdout, stderr)
 
 
 @contextlib.contextmanager
 def _watched(*folders: Path) -> Iterator[int]:
-    """Start a watcher; yield the end of the pipe that holds it."""
+    """Start a watcher; yield the file descriptor of the pipe that keeps it waiting."""
     held, alive = os.pipe()
     try:
         watcher = subprocess.Popen(
@@ -167,7 +167,7 @@ def _watched(*folders: Path) -> Iterator[int]:
 
 
 def _is_about(error: OSError, folder: Path) -> bool:
-    """Return whether an error says that a folder has no room; writing to an open file names no file."""
+    """Return True if an error is about a folder; an error of writing to an open file names no file."""
     if error.filename is None:
         return error.errno in _OF_THE_DISK
     return Path(os.fsdecode(error.filename)).is_relative_to(folder)

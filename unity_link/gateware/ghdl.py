@@ -1,8 +1,8 @@
-"""A GHDL whose `synth` can be trusted: the system's from version 4 on, else Debian 13's 5.0.1 in a folder of its own.
+"""Finds a GHDL with a correct `synth`: the system's if its version is 4 or later, otherwise 5.0.1 of Debian 13.
 
-GHDL 2.0 (Debian 12's) writes Verilog in which the default of every `case` is missing; it simulates well, and is never
-used here. Where the system has nothing better, five packages of Debian 13 are fetched by apt from the mirror that it is
-set up with, unpacked into the cache, and run by their own loader and C library: nothing is installed.
+GHDL 2.0 of Debian 12 must not be used: it simulates correctly, but its Verilog lacks the default of every `case`. If
+the system has no later GHDL, apt fetches five packages of Debian 13 from the system's mirror. They are unpacked into
+the cache and run with their own loader and C library; they are not installed.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from unity_link.gateware.external import run, temporary_folder
 __all__ = ["Ghdl", "ToolMissingError", "converting_ghdl"]
 
 _LEAST_ROOM = 1_000_000
-"""Bytes; a disk that has fewer when a tool fails is reported as full."""
+"""Bytes; if a tool fails and the disk has fewer bytes left, the error reports that the disk is full."""
 _LEAST_VERSION = 4
 _SUITE = "trixie"
 _PACKAGES = ("ghdl-mcode", "ghdl-common", "libc6", "libgcc-s1", "zlib1g")
@@ -32,23 +32,23 @@ _LOADER = "usr/lib64/ld-linux-x86-64.so.2"
 
 @dataclasses.dataclass(frozen=True)
 class Ghdl:
-    """A GHDL, and the command line that runs it."""
+    """A command that runs GHDL, and its environment variables."""
 
     command: tuple[str, ...]
     environment: dict[str, str]
 
     def run(self, *arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
-        """Run it in a `temporary_folder`, and return its output.
+        """Run GHDL in a `temporary_folder`, and return its output.
 
         Raises:
-            subprocess.CalledProcessError: if it fails; `stderr` holds what it printed.
+            subprocess.CalledProcessError: if GHDL fails; the error holds its output.
         """
         done = run([*self.command, *arguments], cwd, cwd=cwd, environment=self.environment)
         done.check_returncode()
         return done
 
     def version(self) -> str:
-        """Return the version line, which is part of the name of what this GHDL made."""
+        """Return the first line of `ghdl --version`; names of cached files depend on it."""
         command = [*self.command, "--version"]
         environment = {**os.environ, **self.environment}
         done = subprocess.run(command, env=environment, check=True, capture_output=True, text=True)
@@ -59,7 +59,7 @@ def converting_ghdl() -> Ghdl:
     """Return a GHDL of version 4 or later.
 
     Raises:
-        ToolMissingError: if there is none and none can be fetched.
+        ToolMissingError: if none is installed and none can be fetched.
     """
     if shutil.which("ghdl"):
         system = Ghdl(("ghdl",), {})
@@ -81,7 +81,7 @@ def converting_ghdl() -> Ghdl:
 
 
 def _fetch(root: Path) -> None:
-    """Fetch and unpack the packages; the folder appears when it is complete."""
+    """Fetch and unpack the packages; `root` is created only once it is complete."""
     if not (shutil.which("apt-get") and Path(_KEYRING).exists()):
         raise ToolMissingError(
             f"GHDL {_LEAST_VERSION} or later converts the gateware, and there is none: install one from "
@@ -99,10 +99,10 @@ def _fetch(root: Path) -> None:
             "-oDir::Etc::SourceParts=/dev/null",
             f"-oDir::State::Lists={work / 'lists'}",
             f"-oDir::Cache={work / 'cache'}",
-            # No installed package counts: its version would be asked for.
+            # Ignore installed packages: otherwise apt would look for their versions.
             "-oDir::State::status=/dev/null",
             "-oAPT::Sandbox::User=root",
-            # Without these a list that was not fetched is only warned of, and its packages are said not to exist.
+            # Fail if a list cannot be fetched: otherwise apt only warns, and then reports that packages do not exist.
             "-oAcquire::Retries=3",
             "-oAPT::Update::Error-Mode=any",
         ]
@@ -110,12 +110,12 @@ def _fetch(root: Path) -> None:
             _call(command, work)
         for package in work.glob("*.deb"):
             _call(["dpkg", "-x", str(package), str(work / "root")], work)
-        # A power failure would leave files without their contents behind the name that says that all is there.
+        # Write the files to the disk before the rename: otherwise a power failure could leave `root` with empty files.
         os.sync()
         try:
             (work / "root").rename(root)
         except OSError:
-            # Another program was quicker.
+            # Another program may have created it in the meantime.
             if not root.exists():
                 raise
 
@@ -129,7 +129,7 @@ def _call(command: list[str], work: Path) -> None:
     done = run(command, work, cwd=work, environment={"LC_ALL": "C"})
     if done.returncode:
         lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-        # apt-get ends with a line that says that something failed, or that a list without room is not signed.
+        # If the disk is full, the last line of apt-get is misleading: it may report a missing signature.
         reason = next((line for line in lines if "No space left" in line), (lines or ["no reason given"])[-1])
         free = shutil.disk_usage(work).free
         if free < _LEAST_ROOM:
@@ -140,7 +140,7 @@ def _call(command: list[str], work: Path) -> None:
 
 
 def _mirror() -> str:
-    """Return the Debian mirror that this machine is set up with."""
+    """Return the Debian mirror that apt uses on this machine."""
     listing = subprocess.run(
         ["apt-get", "indextargets", "--format", "$(LABEL) $(REPO_URI)", "Created-By: Packages"],
         check=False,

@@ -1,6 +1,6 @@
-"""Limits of the gateware, checked before any tool is started, in terms of the caller's options.
+"""Limits of the gateware's generics, checked before any tool starts; messages name the caller's options.
 
-The assertions of `gateware/rtl` have the last word; a test holds these rules equal to them.
+The assertions in `gateware/rtl` define the limits; a test checks that these rules agree with them.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _DEFAULTS = {
     "base_frequency_millihertz": 100_000_000,
     "rx_fifo_depth": 256,
     "tx_fifo_depth": 256,
-    # Whether there is a UART is not known here.
+    # 0 is never too high: the check of the baud rate must pass if there is no UART.
     "baud": 0,
     "node": -1,
 }
@@ -41,24 +41,24 @@ _RANGES = {
 }
 _AXI4_LITE_BITS = (32, 64)
 _MOST_FIFO_BYTES = 0x8000
-"""The answer to `Q` has four digits for them."""
+"""Largest FIFO size that the answer to `Q` can express in its four digits."""
 ETHERNET = ("rmii", "mii", "rgmii", "w5500")
-"""Values of `physical` that are an Ethernet port."""
+"""Values of the generic `physical` for Ethernet ports."""
 _LEAST_HZ_OF_ETHERNET = 25_000_000
 _DATAGRAM, _LONGEST_Q = 1400, 76
 _ROUND_CYCLES = 8
-"""Clock cycles of a base tick beside one for each group."""
+"""Clock cycles that a base tick needs in addition to one for each group."""
 
 
 def check_generics(given: Mapping[str, object]) -> None:
-    """Refuse a configuration that the gateware refuses.
+    """Check that the gateware supports a configuration.
 
     Args:
-        given: generics of `unity_link`; what is not named is as it is by itself, and what this does not know is not
-            looked at.
+        given: values of generics of `unity_link`; missing ones have their defaults, generics without limits are
+            ignored.
 
     Raises:
-        ArgumentError: with what is wrong, and what would be right.
+        ArgumentError: if the gateware refuses the configuration; the message has the value and the expected range.
     """
     generics = {name: int(str(given.get(name, default))) for name, default in _DEFAULTS.items()}
     for name, (low, high) in _RANGES.items():

@@ -1,7 +1,7 @@
-"""A module of Verilog as a function of Python: Yosys reads the Verilog, and writes the logic between two instants.
+"""Turns a Verilog module into a Python function: Yosys reads the Verilog, and writes the logic of one step as SMT-LIB.
 
-The logic has no clock of its own: each step gives all inputs, clocks as well, and the inputs of two steps show an edge.
-A register takes the data of the step before the edge.
+Each step takes all inputs, including clocks. A clock edge is a difference between the inputs of two steps; a register
+stores the data of the step before the edge.
 """
 
 from __future__ import annotations
@@ -16,14 +16,14 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
 Unknown = Literal["-zero", "-one", "-random 1"]
-"""Bits in the place of those that the Verilog leaves unknown, such as registers without a value at the start."""
+"""Yosys option for the bits that replace unknown ones, such as registers without an initial value."""
 
 _MODULE = r"^module {}\n.*?^endmodule$"
 _INSTANCE = re.compile(r"^  (\w+) (?:\w+|\\\S+ ) \($", re.MULTILINE)
 _COMMENT = re.compile(r"^ */\*.*?\*/\n", re.MULTILINE)
 _NET = re.compile(r"\bn(\d+)(?=_)")
 _PORT = re.compile(r"^ *\(? *(input|output|inout) +(?:reg +)?(?:\[(\d+):0\] *)?(\\\S+ |\w+)[,)]", re.MULTILINE)
-# A loop through the bits of a vector, as in a chain of carries, is none once each bit has a cell of its own.
+# Gives each bit of a vector its own cell: a path through the bits of one vector, as in a carry chain, is then no loop.
 _OF_BITS = """\
 (* techmap_celltype = "$and $or $xor $xnor" *)
 module of_bits (A, B, Y);
@@ -81,12 +81,12 @@ _PASSES = (
     "{names}; clk2fflogic; opt_expr; opt_clean; pmuxtree; "
     "scc -select; techmap -map bits.v %; select -clear; splitnets; opt_clean; {splits}write_functional_smt2 module.smt2"
 )
-# An output with bits that are others of its bits is a loop for the backend, unless it is in parts.
+# If bits of an output depend on other bits of the same output, the backend finds a loop, unless the output is split.
 _SPLITS = "splitnets -ports -driver o:* i:* %d; opt_clean; " * 2
 _OUTPUT_PART = re.compile(r"(ul_\d+)(?:_(?:\d+_)?(\d+)_)?")
 _PART = re.compile(r"\(|\)|[^\s()]+")
 Expression = Any
-"""An S-expression: a word, or a list of these."""
+"""An S-expression: a word, or a list of S-expressions."""
 
 
 class NetPort(NamedTuple):
@@ -94,12 +94,12 @@ class NetPort(NamedTuple):
 
     name: str
     way: str
-    """Direction: input, output, inout."""
+    """Direction: input, output or inout."""
     width: int
 
 
 class Netlist(NamedTuple):
-    """A module as a function."""
+    """A Verilog module as a Python function."""
 
     inputs: tuple[str, ...]
     """Names of the inputs and inouts, in the order of the values of a step."""
@@ -107,13 +107,13 @@ class Netlist(NamedTuple):
     clocks: frozenset[str]
     """Inputs that are clocks of registers."""
     constants: tuple[int, ...]
-    """Constants of the logic, each once."""
+    """Constants in the logic, without duplicates."""
     operations: int
-    """Number of operations of a step."""
+    """Number of operations in a step."""
     start: Callable[[], tuple[Any, ...]]
     """Returns the state before the first step."""
     step: Callable[[Sequence[int], tuple[Any, ...]], tuple[tuple[int, ...], tuple[Any, ...]]]
-    """Takes the inputs and the state; returns the outputs and the next state, for which the state is spent."""
+    """Takes the inputs and the state; returns the outputs and the next state. The old state must not be used again."""
 
 
 def ports_of(verilog: str, module: str) -> list[NetPort]:
@@ -126,10 +126,10 @@ def ports_of(verilog: str, module: str) -> list[NetPort]:
 
 
 def part_of(verilog: str, module: str) -> str:
-    """Return the text of a module and of all that it instantiates.
+    """Return the Verilog of a module and of all modules in its hierarchy.
 
-    The nets are counted from 1 in each module, and comments with places in sources are left out: the text of an
-    entity is the same in all designs.
+    Nets are renumbered from 1 in each module, and comments about source files are removed, so that an entity has the
+    same text in all designs.
     """
     texts: dict[str, str] = {}
     wanted = [module]
@@ -146,22 +146,22 @@ def part_of(verilog: str, module: str) -> str:
 
 
 def netlist_of(verilog: str, module: str, unknown: Unknown = "-zero") -> Netlist:
-    """Return a module of GHDL's Verilog with all of its submodules as a function.
+    """Return a module of GHDL's Verilog, with all of its submodules, as a function.
 
     Args:
         verilog: the design.
         module: name of the module.
-        unknown: bits in the place of unknown ones.
+        unknown: replacement for unknown bits.
 
     Raises:
-        ConversionError: if Yosys refuses the module, as for a loop of logic.
+        ConversionError: if Yosys refuses the module, for example because of a combinational loop.
         ToolMissingError: if Yosys is not installed.
     """
     ports = ports_of(verilog, module)
     with temporary_folder() as work:
         (work / "module.v").write_text(part_of(verilog, module))
         (work / "bits.v").write_text(_OF_BITS)
-        # The backend changes names that are none in SMT-LIB.
+        # Rename the ports, because the backend changes names that SMT-LIB does not allow.
         renamed = "".join(f"rename \\{port.name} ul_{number}; " for number, port in enumerate(ports))
         names = f"cd {module}; {renamed}cd"
         try:
@@ -178,7 +178,7 @@ def netlist_of(verilog: str, module: str, unknown: Unknown = "-zero") -> Netlist
 
 
 class _Writer:
-    """Python for the forms of `write_functional_smt2`."""
+    """Translates the output of Yosys' `write_functional_smt2` to Python."""
 
     def __init__(self, text: str, ports: Sequence[NetPort], clocks: set[str]) -> None:
         self._ports = ports
@@ -241,7 +241,7 @@ class _Writer:
             self._names[name] = variable
             self._lines.append(f"{variable} = {text}")
             body = body[2]
-        # A pair of outputs and the next state, each with its constructor, which is a word if it has no fields.
+        # The body is a pair of outputs and next state; a constructor without fields is a word, not a list.
         values, states = (
             [self._value(one)[0] for one in (form[1:] if isinstance(form, list) else ())] for form in body[1:]
         )
@@ -255,7 +255,7 @@ class _Writer:
         self._lines.append(f"return ({shown}), done(({''.join(f'{state}, ' for state in states)}))")
 
     def _set(self, equation: Expression) -> None:
-        """Take a value of a state at the start, or of a word of a memory."""
+        """Store the initial value of a register, or of one word of a memory."""
         _, place, value = equation
         if place[0] == "select":
             _, (field, _), address = place
@@ -267,7 +267,7 @@ class _Writer:
         return int(self._fields[field][0][len("state[") : -1])
 
     def _value(self, form: Expression) -> tuple[str, int]:
-        """Return a value in Python, and its width."""
+        """Return a Python expression for a form, and its width in bits."""
         if isinstance(form, str):
             return self._word(form)
         operator, *operands = form
@@ -297,7 +297,7 @@ class _Writer:
             return f"not ({self._condition(operands[0])})"
         (first, width), (second, _) = map(self._value, operands)
         if operator.startswith("bvs"):
-            # Numbers in two's complement are in order once their sign bits are inverted.
+            # Two's complement numbers compare like unsigned ones after their sign bits are inverted.
             first, second = (f"({text} ^ {1 << (width - 1)})" for text in (first, second))
         return f"{first} {_COMPARISONS[operator.replace('bvs', 'bvu')]} {second}"
 
@@ -326,7 +326,7 @@ _COMPARISONS = {"=": "==", "distinct": "!=", "bvult": "<", "bvule": "<=", "bvugt
 
 
 def _resized(operator: Sequence[str], text: str, width: int) -> tuple[str, int]:
-    """Return a part of a value, or an extended value, and its width."""
+    """Return a Python expression for an extracted or extended value, and its width in bits."""
     _, name, *numbers = operator
     if name == "extract":
         high, low = map(int, numbers)
@@ -341,7 +341,7 @@ def _resized(operator: Sequence[str], text: str, width: int) -> tuple[str, int]:
 
 
 def _forms(text: str) -> Iterator[Expression]:
-    """Yield the forms of a text in SMT-LIB."""
+    """Yield the S-expressions of a text in SMT-LIB."""
     stack: list[list[Expression]] = [[]]
     for part in _PART.findall(re.sub(r";.*", "", text)):
         if part == "(":
@@ -355,7 +355,7 @@ def _forms(text: str) -> Iterator[Expression]:
 
 
 def _width(sort: Expression) -> int:
-    """Return the width of a word, or of the words of a memory."""
+    """Return the width in bits of a word, or of the words of a memory."""
     return int(sort[2]) if sort[1] == "BitVec" else _width(sort[2])
 
 
@@ -364,7 +364,7 @@ def _constant(text: str) -> int:
 
 
 def _read(memory: Any, address: int) -> int:
-    """Return a word of a memory, which is a list, or such a memory with an address and its new word."""
+    """Return a word of a memory: a list, or a tuple of a memory, a written address and its new word."""
     while isinstance(memory, tuple):
         memory, written, word = memory
         if written == address:
@@ -373,7 +373,7 @@ def _read(memory: Any, address: int) -> int:
 
 
 def _done(states: tuple[Any, ...]) -> tuple[Any, ...]:
-    """Return the next state with its memories as lists."""
+    """Return the next state with all memories as lists."""
     return tuple(map(_written, states)) if any(isinstance(state, tuple) for state in states) else states
 
 

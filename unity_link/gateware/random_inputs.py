@@ -1,7 +1,8 @@
-"""Random inputs of a circuit, step by step: many values that circuits treat apart, and the clocks that take them.
+"""Random inputs for a circuit, step by step, including its clocks; values at limits and near constants are frequent.
 
-The inputs are cut into epochs. In each one a vector changes often or seldom, and a bit is mostly '0', mostly '1', or
-both. Resets come at the start and several times soon after, and later none, so that slow processes come to their ends.
+The inputs are divided into epochs. In each epoch a vector changes often or seldom, and a bit is mostly '0', mostly '1'
+or both equally often. Resets occur at the start and several times soon after; later there are none, so that slow
+processes can finish.
 """
 
 from __future__ import annotations
@@ -14,14 +15,14 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
 _EPOCH = 128
-"""Cycles of an epoch."""
+"""Number of cycles in an epoch."""
 _RESETS = (0, 64, 192, 448)
-"""Cycles in which resets begin; until the last one a reset may also come in each cycle."""
+"""Cycles in which resets begin; until the last of these, further resets occur at random."""
 _RESET_CYCLES = 4
 _RESET_CHANCE = 1 / 64
 _RESET = re.compile(r"_?(?:a|sync_?|async_?|sys_?)?(?:rst|reset|clr|clear)(?P<low>_?n)?(?:_i)?", re.IGNORECASE)
 _PARTS = (8, 12, 16, 32, 64)
-"""Widths of numbers that a vector is made of."""
+"""Widths of the numbers that are joined into a vector."""
 
 
 class Input(NamedTuple):
@@ -33,14 +34,14 @@ class Input(NamedTuple):
 
 
 class RandomInputs:
-    """Inputs for a number of cycles.
+    """Random inputs for a number of cycles.
 
     Args:
         inputs: all inputs.
-        constants: numbers that the circuit compares with others, or adds to these.
-        seed: chooses all values.
-        both_edges: whether falling edges of clocks count as well.
-        tame: whether numbers are small and change seldom.
+        constants: constants in the circuit; the inputs have values near them.
+        seed: seed of the random values.
+        both_edges: True if the circuit also uses falling clock edges.
+        tame: True for small numbers that change seldom.
     """
 
     def __init__(
@@ -62,7 +63,7 @@ class RandomInputs:
         self._rates = [1.0] * len(inputs)
 
     def steps(self, cycles: int) -> Iterator[tuple[int, ...]]:
-        """Yield the values of all inputs, in order, one after the other."""
+        """Yield the values of all inputs, in the order of `inputs`, for each step of a number of cycles."""
         for cycle in range(cycles):
             if cycle % _EPOCH == 0:
                 self._rates = [self._random.choice(self._rates_of(one)) for one in self._inputs]
@@ -70,7 +71,7 @@ class RandomInputs:
                 if not one.is_clock:
                     self._values[number] = self._next(number, one, cycle)
                 elif not self._apart:
-                    # The data change with the falling edge, which no register takes.
+                    # Change the data with the falling edge, which no register uses.
                     self._values[number] = 0
             yield tuple(self._values)
             for clock in self._random.sample(self._clocks, len(self._clocks)):
@@ -103,7 +104,7 @@ class RandomInputs:
         return value
 
     def _number(self, width: int) -> int:
-        """Return a number of so many bits: any, a small one, one at a limit, or one that the circuit knows."""
+        """Return a number of `width` bits: any, a small one, one near a limit, a constant or another input."""
         chance = self._random.random()
         mask = (1 << width) - 1
         if self._tame or chance < 0.1:

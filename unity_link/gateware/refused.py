@@ -1,7 +1,7 @@
-"""VHDL of which GHDL writes Verilog that is another circuit, without a warning.
+"""Finds VHDL that GHDL converts to the Verilog of another circuit without a warning.
 
-GHDL 5.0.1 simulates all of these correctly. The places are found in the Verilog, in which GHDL names file, line and
-column of each gate's source, and by GHDL's dump of the netlist, which has more kinds of gates.
+GHDL 5.0.1 simulates all of these expressions correctly. They are found in the Verilog, in which GHDL names file, line
+and column of each gate's source, and in GHDL's dump of the netlist, which distinguishes more kinds of gates.
 """
 
 from __future__ import annotations
@@ -40,11 +40,12 @@ _UNKNOWN = (-(1 << 1000), 1 << 1000)
 _UNKNOWN_AS_ONES = str.maketrans("XZ", "11")
 _WIDE = re.compile(r"\b(\d+)'b0+1[01]{31}\b")
 _WORD = re.compile(r"\w+")
-# Statements of VHDL, and gates that GHDL has no Verilog for, in the middle of Verilog.
+# VHDL statements, and gates without Verilog, that GHDL writes in the middle of the Verilog.
 _FOREIGN = re.compile(r"  (?:\w+ <= .*| gate_(?P<gate>\w+) .*)")
 _DUMPED = re.compile(r"^ *(?:\.\S+ )?%(\d+):\$\w+\{n\d+w\d+\} := \$(\w+)\{", re.MULTILINE)
 _WIDE_NEGATIVE = re.compile(r"^( *).*\{n\d+w(\d+)\} := \$const_SB32\{i\d+\} #\(\$val=(\d+)\)", re.MULTILINE)
-# The operators rol and ror are right: GHDL takes their numbers modulo the width.
+# These functions only: GHDL converts the operators rol and ror correctly, because it takes their amount modulo the
+# width.
 _ROTATIONS = {"rotate_left": "<<", "rotate_right": ">>"}
 _INTEGER_BITS = 32
 _SIGNED = (
@@ -53,7 +54,7 @@ _SIGNED = (
 
 
 class Refusal(NamedTuple):
-    """A place in a source whose Verilog is wrong."""
+    """A place in a source that GHDL converts wrongly."""
 
     place: str
     """File, line and column."""
@@ -64,7 +65,7 @@ class Refusal(NamedTuple):
 
 
 INTEGER_MINUS_SIGNED = "IIR_PREDEFINED_IEEE_NUMERIC_STD_SUB_INT_SGN"
-"""GHDL's name for the difference of an integer and a signed number."""
+"""GHDL's name for an integer minus a signed number."""
 
 
 def refusals(
@@ -76,10 +77,10 @@ def refusals(
     """Return the places of a design that GHDL converts wrongly, in the order of the Verilog.
 
     Args:
-        verilog: the design as GHDL writes it, with its comments.
+        verilog: the design as GHDL writes it, with comments.
         design: the sources.
-        netlist: returns GHDL's dump of the same design. It is called only if the Verilog leaves a question open.
-        turned: file, line and column of each difference of an integer and a signed number.
+        netlist: returns GHDL's dump of the same design. It is called only if the Verilog is not sufficient.
+        turned: file, line and column of each operator that subtracts a signed number from an integer.
     """
     dump = functools.cache(lambda: _Dump(netlist()))
     found: dict[Refusal, None] = {}
@@ -92,7 +93,7 @@ def refusals(
             word = _WORD.match(source, int(gate["column"]) - 1)
             faults = list(_faults(gate["text"], word[0].lower() if word else "", nets, dump))
             difference = _DIFFERENCE.fullmatch(gate["text"])
-            # On the right must not be the integer, which is a constant, or is converted at the place of the difference.
+            # GHDL swapped the operands if the integer is on the right: a constant, or a conversion at the same place.
             if place in turned and difference and ("'b" in difference[1] or places.get(difference[1]) == place):
                 faults.append(
                     "an integer minus a signed number, which is turned round: take to_signed(..., x'length) - x"
@@ -114,7 +115,7 @@ class _Nets:
         return self._widths[net]
 
     def limits(self, value: str) -> tuple[int, int]:
-        """Return the least and the greatest number that a net, or a constant, may be as a signed number."""
+        """Return the least and the greatest value of a net or a constant, read as a signed number."""
         if "'b" in value:
             bits = value.partition("'b")[2]
             number = int(bits.translate(_UNKNOWN_AS_ONES), 2)
@@ -122,7 +123,7 @@ class _Nets:
             return number, number
         if value not in self._limits:
             half = 1 << (self.width(value) - 1)
-            # A net that depends on itself may be any number.
+            # Set the full range first: a net that depends on itself may have any value.
             self._limits[value] = -half, half - 1
             low, high = self._computed(self._values.get(value, ""), self.width(value))
             if -half <= low and high < half:
@@ -130,12 +131,12 @@ class _Nets:
         return self._limits[value]
 
     def greatest(self, value: str) -> int:
-        """Return the greatest number that a net, or a constant, may be as an unsigned number."""
+        """Return the greatest value of a net or a constant, read as an unsigned number."""
         low, high = self.limits(value)
         return high if low >= 0 else (1 << self._width_of(value)) - 1
 
     def _computed(self, value: str, width: int) -> tuple[int, int]:
-        """Return the limits of an expression; a result may be beyond its width, as that of an unknown expression is."""
+        """Return the limits of an expression's value before truncation; of an unknown one, limits beyond any width."""
         if extended := _EXTENDED.fullmatch(value):
             return 0, self.greatest(extended[1])
         if same := _SAME.fullmatch(value):
@@ -164,25 +165,32 @@ def _operated(sign: str, one: tuple[int, int], other: tuple[int, int]) -> tuple[
 
 
 class _Dump:
-    """Parts of GHDL's dump that the Verilog does not have."""
+    """Information from GHDL's dump of a netlist that the Verilog does not have."""
 
     def __init__(self, text: str) -> None:
         self.kinds = {f"n{number}_o": kind for number, kind in _DUMPED.findall(text)}
-        """Kinds of gates, by their outputs."""
+        """Kind of each gate, by its output."""
         self.beside_wide_negatives: set[str] = set()
-        """Outputs of gates with a negative integer as a constant of more bits than an integer has."""
+        """Outputs of gates with a negative constant of more than 32 bits, GHDL's width of an integer."""
         lines = text.splitlines()
         for number, line in enumerate(lines):
             match = _WIDE_NEGATIVE.match(line)
             if match and int(match[2]) > _INTEGER_BITS and int(match[3]) >> (_INTEGER_BITS - 1):
-                # Inputs are indented below their gate.
+                # The gate is the nearest line above with less indentation.
                 above = (up for up in reversed(lines[:number]) if len(up) - len(up.lstrip()) < len(match[1]))
                 if gate := _DUMPED.match(next(above, "")):
                     self.beside_wide_negatives.add(f"n{gate[1]}_o")
 
 
 def _faults(text: str, word: str, nets: _Nets, dump: Callable[[], _Dump]) -> Iterator[str]:
-    """Yield what is wrong with a gate, whose source has `word` at its place."""
+    """Yield the faults of a gate as parts of a message.
+
+    Args:
+        text: the gate in Verilog.
+        word: the word of the VHDL at the gate's place.
+        nets: nets of the module.
+        dump: returns GHDL's dump.
+    """
     rest = _REST.match(text)
     if rest and min(nets.limits(rest[1])[0], nets.limits(rest[2])[0]) < 0:
         yield f"{rest[3]} {_SIGNED}"

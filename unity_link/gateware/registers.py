@@ -1,7 +1,7 @@
-"""Registers of converted Verilog with the names and the attributes that they have in VHDL.
+"""Restores the VHDL names and attributes of registers in converted Verilog.
 
-GHDL calls a register after a number of its own and drops attributes. But constraints find a register by its name, and a
-vendor's tool leaves a crossing alone because of its attributes.
+GHDL names registers by numbers and drops attributes. Constraints, however, find a register by its name, and attributes
+keep vendors' tools from optimising registers of clock domain crossings.
 """
 
 from __future__ import annotations
@@ -14,21 +14,21 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 _MODULE = re.compile(r"^module (\w+)$.*?^endmodule$", re.MULTILINE | re.DOTALL)
-# What GHDL puts behind the name of an entity that has generics.
+# Suffix that GHDL appends to the name of an entity with generics.
 SETTINGS = re.compile(r"(_(\d+|[0-9a-f]{40}))+$")
 _REGISTER = re.compile(r"^  reg ((?:\[\d+:0\] )?)(n\d+_(?:q|data));.*\n", re.MULTILINE)
 _NAMED = re.compile(r"^  assign (\w+) = (n\d+_(?:q|data)); // ?\((signal|module output)\)\n", re.MULTILINE)
 _ROW = re.compile(r"^  assign (\w+) = (n\d+_o); // \(signal\)$", re.MULTILINE)
 _ATTRIBUTE = re.compile(r'^ *attribute (\w+) of ([\w, ]+?) *: signal is\s+("[^"]*"|true);', re.MULTILINE)
 _FOR_SYNPLIFY = "syn_"
-"""Prefix of attributes that some tools read in comments alone."""
+"""Prefix of attributes that some tools read only from comments."""
 
 
 def with_names(verilog: str, sources: Iterable[Path]) -> str:
-    """Return a design in which each register that is a signal of the VHDL, or a port, has its name and attributes.
+    """Return a design whose registers have the names and attributes of their VHDL signals or ports.
 
     Args:
-        verilog: as GHDL writes it.
+        verilog: the design as GHDL writes it.
         sources: the VHDL.
     """
     attributes = {path.stem: found for path in sources if (found := _attributes(path.read_text()))}
@@ -36,7 +36,7 @@ def with_names(verilog: str, sources: Iterable[Path]) -> str:
 
 
 def _attributes(vhdl: str) -> dict[str, dict[str, str]]:
-    """Return the attributes of signals as Verilog writes their values, by signal."""
+    """Return the attributes of each signal; values are in Verilog."""
     found: dict[str, dict[str, str]] = {}
     for attribute, signals, value in _ATTRIBUTE.findall(vhdl):
         for name in signals.split(","):
@@ -47,7 +47,7 @@ def _attributes(vhdl: str) -> dict[str, dict[str, str]]:
 def _renamed(module: str, attributes: dict[str, dict[str, str]]) -> str:
     names: dict[str, str] = {}
     outputs: set[str] = set()
-    # A register that is both is a signal, from which the port is driven.
+    # If a register is a signal and a port, use the signal's name; the signal drives the port.
     for name, register, kind in sorted(_NAMED.findall(module), key=lambda found: found[2] != "signal"):
         if register not in names:
             names[register] = name
@@ -72,7 +72,7 @@ def _renamed(module: str, attributes: dict[str, dict[str, str]]) -> str:
 
 
 def _declaration(width: str, name: str, attributes: dict[str, str]) -> str:
-    """Return a register's declaration, before it its attributes."""
+    """Return a register's declaration, preceded by its attributes."""
     if not attributes:
         return f"  reg {width}{name};\n"
     told = ", ".join(f"{attribute} = {value}" for attribute, value in attributes.items())

@@ -1,7 +1,8 @@
-"""A Verilog-2005 file of a design, for those who have no VHDL: a netlist, of which every module bears the file's name.
+"""Makes a Verilog-2005 netlist in one file, for users without VHDL tools.
 
-Two such files go into one design, because no two of their modules have one name. At its top a file says what it is, and
-how it is instantiated: Verilog has no defaults of ports, so the header says to what an input may be tied.
+The names of all modules begin with the file's name, so that two such files fit into one design. The header of the file
+has an instance to copy, with constants for inputs that may be left open in VHDL, because Verilog ports have no
+defaults.
 """
 
 from __future__ import annotations
@@ -20,13 +21,13 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
-# What a netlist cannot help: signals and comparisons that its generics have made needless.
+# Verilator warnings that a netlist cannot avoid: with fixed generics some signals and comparisons have no effect.
 _NEEDLESS = ("UNUSEDSIGNAL", "PINCONNECTEMPTY", "CMPCONST", "UNSIGNED")
 _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
-# What is a word of Verilog is written so that it ends at a space.
+# A port; a name that is a keyword of Verilog is escaped, and ends with a space.
 _PORT = re.compile(r"^ +\(?(input|output)(?: reg)? +(?:\[(\d+):0\] )?(\w+|\\\w+ )[,)]", re.MULTILINE)
-# Comments, texts and names behind a backslash are passed over.
+# A keyword of SystemVerilog; the other alternatives skip comments, strings and escaped names.
 _WORD = re.compile(rf'//.*|"[^"\n]*"|\\\S+|\b({"|".join(sorted(SYSTEMVERILOG))})\b')
 _DEFAULT = re.compile(r"^\s*(\w+)\s*:\s*in\s[^:;]*:=\s*('[01]'|\(others => '[01]'\))", re.MULTILINE)
 
@@ -35,21 +36,21 @@ class ModulePort(NamedTuple):
     """A port of a module."""
 
     name: str
-    """Name as Verilog writes it: one that is a word of Verilog with its backslash and its space."""
+    """Name in Verilog; a keyword of Verilog is escaped, with its backslash and its final space."""
     width: int
     is_input: bool
     default: str
-    """Value that Verilog ties an unconnected input to; empty for inputs that must be connected."""
+    """Constant for an input that the design does not use; empty for inputs that must be connected."""
 
 
 def release(name: str, about: Sequence[str], top: str, generics: Mapping[str, object] | None = None) -> str:
     """Return the file of an entity of the gateware as the module `name`.
 
     Args:
-        name: of the module that a design instantiates; all others begin with it.
-        about: lines that say of what configuration it is.
-        top: the entity.
-        generics: as those of `to_verilog`.
+        name: name of the module that a design instantiates; the names of all other modules begin with it.
+        about: lines for the header that describe the configuration.
+        top: name of the entity.
+        generics: as in `to_verilog`.
 
     Raises:
         ConversionError: if GHDL refuses the sources.
@@ -62,11 +63,11 @@ def released(name: str, about: Sequence[str], top: str, verilog: str, sources: S
     """Return the file of a converted entity as the module `name`.
 
     Args:
-        name: as of `release`.
-        about: as of `release`.
-        top: the entity.
+        name: as in `release`.
+        about: as in `release`.
+        top: name of the entity.
         verilog: GHDL's Verilog.
-        sources: all VHDL, that of the entity among it.
+        sources: all VHDL, including that of the entity.
     """
     text = _without_words(with_names(verilog, sources))
     found = ports(text, top, top, sources)
@@ -75,9 +76,9 @@ def released(name: str, about: Sequence[str], top: str, verilog: str, sources: S
         *about,
         "",
         f"A netlist in Verilog-2005, converted by GHDL from the VHDL of Unity-Link {unity_link.__version__}: its",
-        "generics are fixed, and who wants to read or change it should do so in the VHDL.",
+        "generics are fixed. To read or change the design, use the VHDL.",
         "",
-        "To instantiate it (behind `or` is what an input is tied to that a design has no use for):",
+        "To instantiate it (after `or`: the constant for an input that the design does not use):",
         "",
         *_instance_template(name, found),
     ]
@@ -88,7 +89,7 @@ def released(name: str, about: Sequence[str], top: str, verilog: str, sources: S
 
 
 def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> list[ModulePort]:
-    """Return the ports of a module that an entity has become, with the defaults that they have in its VHDL."""
+    """Return the ports of an entity's module, with their defaults in the entity's VHDL."""
     start = re.search(rf"^module {module}$", verilog, re.MULTILINE)
     assert start is not None
     head = verilog[start.end() : verilog.index(");", start.end()) + 1]
@@ -124,9 +125,9 @@ def _constant(default: str, width: int) -> str:
 
 
 def _without_words(text: str) -> str:
-    """Return Verilog in which no name is a word of SystemVerilog: such a name gets ``_x``, as in generated VHDL.
+    """Return Verilog in which keywords of SystemVerilog have the suffix ``_x``, as in generated VHDL.
 
-    By the standard a backslash would do, but Verilator 5.006 refuses ``super`` behind one.
+    Escaping with a backslash would be legal, but Verilator 5.006 refuses an escaped ``super``.
     """
     ending = "_x"
     while re.search(rf"\b({'|'.join(SYSTEMVERILOG)}){ending}\b", text):
@@ -135,7 +136,7 @@ def _without_words(text: str) -> str:
 
 
 def _named(text: str, top: str, name: str) -> str:
-    """Return a design of which the top bears a name, and all other modules that with their entity's behind it."""
+    """Return a design whose top has a given name; other modules are named after it and their entity."""
     names: dict[str, str] = {}
     for module in _MODULE.findall(text):
         wanted = name if module == top else f"{name}_{SETTINGS.sub('', module)}"

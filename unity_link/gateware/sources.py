@@ -1,4 +1,4 @@
-"""The gateware's files as users take them: in a folder of their own, and in compile order."""
+"""The gateware's files for users' designs: as a copy in a folder, and in compile order."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ _TAKEN = (
     *("constraints/**/*", "import/*", "unity_link.f", "unity_link.core"),
 )
 _LICENCES = (GATEWARE / "LICENSE", GATEWARE.parent / "LICENSE")
-"""Paths of the licence, in an installed package and in the project."""
+"""Path of the licence in an installed package, and in the project."""
 
 
 def gateware_files() -> dict[str, str]:
-    """Return the text of each file that a design with the gateware needs, by its path below its folder.
+    """Return the text of each file that a design with the gateware needs, by path in the gateware's folder.
 
     Raises:
-        ToolMissingError: where an installation has none.
+        ToolMissingError: if the installation has no VHDL.
     """
     vhdl_sources()
     found = [path for pattern in _TAKEN for path in sorted(GATEWARE.glob(pattern)) if path.is_file()]
@@ -36,10 +36,10 @@ def gateware_files() -> dict[str, str]:
 
 
 def in_compile_order(pads: str | None = None) -> Iterator[str]:
-    """Return the paths of the sources below the gateware's folder, each behind those that it needs.
+    """Yield the paths of the sources in the gateware's folder in compile order.
 
     Args:
-        pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
+        pads: folder of `gateware/pads` with the vendor's registers for the pins of an FT245; None for portable ones.
     """
     theirs = pads_of(pads)
     for line in (GATEWARE / "unity_link.f").read_text().splitlines():
@@ -49,17 +49,19 @@ def in_compile_order(pads: str | None = None) -> Iterator[str]:
 
 
 def copy_gateware(folder: Path, *, overwrite: Overwrite = False) -> Path:
-    """Copy the gateware into a folder that is not there yet, or has a copy that nobody has changed; return the folder.
+    """Copy the gateware into a folder, and return the folder.
+
+    The folder must be new or empty, or have an unchanged copy of the gateware.
 
     Args:
-        folder: where to.
-        overwrite: whether files that this package did not make may go.
+        folder: path of the folder.
+        overwrite: True if files that this package did not make may be replaced.
 
     Raises:
-        ArgumentError: where something else is in the folder, or it cannot be written.
+        ArgumentError: if the folder has other or changed files, or cannot be written.
     """
     if overwrite is not True and _is_taken(folder):
-        raise ArgumentError(f"{folder} is there already: a folder that is not, or is empty, was expected")
+        raise ArgumentError(f"{folder} exists already: a new or empty folder was expected")
     write_texts(gateware_files(), folder, overwrite=overwrite)
     return folder
 

@@ -1,4 +1,4 @@
-"""Lists of VHDL files for the tools of vendors: in Tcl, or as lines of Quartus' settings."""
+"""Writes the lists of VHDL files for vendors' tools: in Tcl, or as lines of Quartus' settings."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ TOOLS: tuple[Tool, ...] = get_args(Tool)
 
 
 def add_vhdl(tool: Tool, path: str, library: str | None = None) -> str:
-    """Return the command that adds a file of VHDL-2008 to what is open.
+    """Return the command that adds a VHDL-2008 file to the open project.
 
     Args:
-        tool: that is told.
-        path: of the file, as the tool can read it: Tcl that gives a path will do.
-        library: that the file belongs to, None for the tool's usual one.
+        tool: the vendor's tool.
+        path: path of the file, or a Tcl expression for it.
+        library: VHDL library of the file; None for the tool's default library.
     """
     named, work = ("", "") if library is None else (f" -library {library}", f" -work {library}")
     commands: dict[Tool, str] = {

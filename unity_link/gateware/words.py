@@ -1,4 +1,4 @@
-"""Words of SystemVerilog that are names in Verilog-2005."""
+"""Keywords of SystemVerilog that are legal names in Verilog-2005."""
 
 from __future__ import annotations
 

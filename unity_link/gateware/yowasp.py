@@ -1,6 +1,6 @@
-"""The commands of YoWASP (Yosys, nextpnr, SymbiYosys as WebAssembly): Python packages, so the same on each machine.
+"""Runs the tools of YoWASP (Yosys, nextpnr, SymbiYosys as WebAssembly), which are Python packages.
 
-A warning is an error, unless its caller explains it.
+A warning is an error, unless the caller expects it.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from typing import TextIO
 
-# A row of a router of nextpnr: router1 has one for 1,000 attempts, with the connections that remain; router2 one for
-# each turn, with the wires that have too many.
+# A row of a progress table of nextpnr's routers. router1 prints one after each 1,000 attempts, with the number of
+# connections left to route; router2 prints one after each iteration, with the number of overused wires.
 _ROW = re.compile(r"Info:\s+(?:\d+ \|[^|]*\|[^|]*\|\s*(\d+)\||iter=\d+ .*\boverused=(\d+) )")
 _ROWS = {1: 50, 2: 1000}
-"""Rows without a lower number after which a router does not end any more, by router."""
+"""Number of rows without progress after which a router is stopped, by router."""
 _REMARK = re.compile(r"^Info:|[Ww]arning:")
 _SILENT_S = 3600.0
 _LOOK_S = 0.2
 
 
 class RefusedError(ConversionError):
-    """A tool refused what it was given; `output` is all that it printed."""
+    """A tool refused its input; `output` is all that it printed."""
 
     def __init__(self, sentence: str, output: str) -> None:
         super().__init__(sentence)
@@ -42,11 +42,11 @@ class RefusedError(ConversionError):
 
 
 class EndlessError(ConversionError):
-    """A tool came to no end, and was stopped."""
+    """A tool did not finish, and was stopped."""
 
 
 def script(tool: str) -> str:
-    """Return the command of one of YoWASP's tools, beside this Python or on the path.
+    """Return the path of one of YoWASP's tools: in the folder of this Python's scripts, or on PATH.
 
     Raises:
         ToolMissingError: if it is not installed.
@@ -59,23 +59,23 @@ def script(tool: str) -> str:
 
 
 def version(tool: str) -> str:
-    """Return the version of a tool's package, which is part of the name of what it made."""
+    """Return the version of a tool's package; names of cached files depend on it."""
     return metadata.version(tool)
 
 
 def run(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> str:
-    """Run one of the tools in the folder that it may see; returns what it printed.
+    """Run one of the tools, and return its standard output.
 
     Args:
-        work: the folder. YoWASP sees this one and no other.
+        work: working directory; the tools of YoWASP can access no other folder.
         tool: name of the command.
-        arguments: of the command.
-        explained: pattern of the warnings that are expected.
+        arguments: arguments of the command.
+        explained: regular expression for the expected warnings.
 
     Raises:
-        RefusedError: if it fails.
-        ConversionError: if it warns of something that is not explained.
-        ToolMissingError: if it is not installed.
+        RefusedError: if the tool fails.
+        ConversionError: if the tool prints an unexpected warning.
+        ToolMissingError: if the tool is not installed.
     """
     done = external.run([script(tool), *arguments], work, cwd=work)
     _judge(tool, done.returncode, (done.stdout + done.stderr).splitlines(), explained)
@@ -83,17 +83,17 @@ def run(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> str:
 
 
 def place(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> None:
-    """Run nextpnr as `run` does, but stop it where its router does not come to an end.
+    """Run nextpnr as `run` does, but stop it if its router does not finish.
 
-    With some seeds it rips up the same connections for ever. It is stopped when 50 rows of the table of router1, or
-    1,000 of router2, have no fewer left than one before, which is the same on each machine; or when it prints nothing
-    for an hour.
+    With some seeds the router rips up and reroutes the same connections for ever. It is stopped after 50 rows of
+    router1, or 1,000 of router2, without progress. This limit does not depend on the speed of the machine. nextpnr is
+    also stopped if it prints nothing for an hour.
 
     Raises:
-        EndlessError: if it was stopped.
-        RefusedError: if it fails.
-        ConversionError: if it warns of something that is not explained.
-        ToolMissingError: if it is not installed.
+        EndlessError: if nextpnr was stopped.
+        RefusedError: if nextpnr fails.
+        ConversionError: if nextpnr prints an unexpected warning.
+        ToolMissingError: if nextpnr is not installed.
     """
     path = work / "printed"
     with (
@@ -110,7 +110,7 @@ def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None
     """Wait until nextpnr ends.
 
     Raises:
-        EndlessError: if its router does not come to an end, or it is silent.
+        EndlessError: if its router makes no progress, or if it prints nothing for an hour.
     """
     least, rows, rest = dict.fromkeys(_ROWS, float("inf")), dict.fromkeys(_ROWS, 0), ""
     heard = time.monotonic()
@@ -122,21 +122,22 @@ def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None
             rows[router] = 0 if left < least[router] else rows[router] + 1
             least[router] = min(least[router], left)
             if rows[router] == _ROWS[router]:
-                raise EndlessError(f"{tool} was stopped: its router comes to no end, with {left} wires left")
+                raise EndlessError(f"{tool} was stopped: its router makes no progress, with {left} wires left")
         if lines:
             heard = time.monotonic()
         elif time.monotonic() - heard > _SILENT_S:
-            raise EndlessError(f"{tool} was stopped: it has said nothing for {_SILENT_S:g} s")
+            raise EndlessError(f"{tool} was stopped: it has printed nothing for {_SILENT_S:g} s")
         with contextlib.suppress(subprocess.TimeoutExpired):
             process.wait(_LOOK_S)
 
 
 def _judge(tool: str, status: int, lines: Sequence[str], explained: str) -> None:
-    """Look whether a tool has done what it should.
+    """Check the exit status and the warnings of a tool.
 
     Raises:
-        RefusedError: if it has failed; the sentence has its first error, or its last line that is no remark.
-        ConversionError: if it warns of something that is not explained.
+        RefusedError: if the tool failed; the message has its first error, or its last line other than information and
+            warnings.
+        ConversionError: if the tool printed an unexpected warning.
     """
     if status:
         errors = [line for line in lines if "ERROR" in line]

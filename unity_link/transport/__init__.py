@@ -1,15 +1,16 @@
-"""Layers 0 and 1, the media: one file each, with a URL scheme, imported only when its scheme is asked for.
+"""Layers 0 and 1, the media: one file for each URL scheme, imported when a URL with this scheme is opened.
 
-A program adds a medium of its own by `register`. Its `Driver` has a coroutine ``connect(url, protocol)`` that opens the
-medium and returns an `asyncio` transport that feeds `protocol`, and ``OPTIONS``, the names of the URL options that it
-takes. It may also have:
+A program adds a medium by `register`. Its `Driver` has a coroutine ``connect(url, protocol)``, which opens the medium
+and returns an `asyncio` transport that feeds `protocol`, and ``OPTIONS``, the names of the supported URL options. A
+driver may also have:
 
-- a function ``options_of(url)``, where the options depend on the URL
-- a coroutine ``prepare(url)``, for what takes its time once on a machine and says nothing about the gateway: no
-  time-out counts it
-- a function ``open_bus(url)``, where the medium is the bus itself, in memory, and has no frames: a `MemoryBus`
+- a function ``options_of(url)``, if the options depend on the URL
+- a coroutine ``prepare(url)`` for slow work that is done once on a machine, such as compiling; the time limit for
+  opening a connection does not include it
+- a function ``open_bus(url)``, if the medium is a bus that is mapped into memory and has no frames; it returns a
+  `MemoryBus`
 
-docs/reference/media.md states what the transport has to do.
+docs/reference/media.md has the requirements on the transport.
 """
 
 from __future__ import annotations
@@ -38,51 +39,49 @@ if TYPE_CHECKING:
 __all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "MemoryBus", "WordsByAddress", "register"]
 
 ENTRY_POINTS = "unity_link.transports"
-"""The group of entry points by which an installed package adds schemes, each with the module or object that is its
-driver."""
+"""Group of entry points by which an installed package adds schemes; each names a driver, a module or an object."""
 _DRIVERS: dict[str, str | Driver] = {}
-"""The driver of each scheme, or its module."""
+"""Driver of each scheme, or the name of its module."""
 _SERIAL_PORT = re.compile(r"/dev/(tty|cu\.|serial/)|COM\d")
 _HOST_AND_PORT = re.compile(r"[\w.-]+:\d+|\[[\da-fA-F:]+\]:\d+")
 _SCHEME = re.compile(r"[a-z][a-z0-9+.-]*")
 _STAND_INS: dict[str, str] = {}
-"""The module of what stands in for a device, by the device in the URL."""
+"""Module of the simulated device for each name of a device in a URL."""
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
-"""Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
-"""
+"""Schemes whose URLs have the name of a device, such as ``ftdi:232h:SERIAL``, in the place of host and port."""
 COMMON_OPTIONS = frozenset({"node", "snoop", "map", "compact", "echo"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
-"""Environment variable with the path of the snoop of all connections whose URL names none."""
+"""Environment variable with the path of the snoop for connections whose URL has no ``snoop=``."""
 _OPENING_TIMEOUT = 5.0
-"""Seconds that the thread which opens a shared port waits, whoever has given it up meanwhile."""
+"""Seconds that a thread may take to open a shared port, also after its caller was cancelled."""
 _TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
-"""The value of an option that is a secret."""
+"""Value of the option ``token``, which is secret."""
 
 
 class Driver(Protocol):
-    """Opener of the URLs of a scheme: a module, or an object."""
+    """Opens the URLs of a scheme; a module or an object."""
 
     OPTIONS: frozenset[str]
-    """Names of the URL options that it takes."""
+    """Names of the supported URL options."""
 
     async def connect(self, url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-        """Open the medium, and return the transport that ``protocol.connection_made`` was called with.
+        """Open the medium, call ``protocol.connection_made``, and return the transport.
 
         Raises:
-            ArgumentError: for a URL that cannot be.
-            ConnectError: where the medium cannot be opened; an OSError becomes one.
+            ArgumentError: if the URL is invalid.
+            ConnectError: if the medium cannot be opened; callers convert an OSError to a ConnectError.
         """
 
 
 class Medium(Protocol):
-    """An object of the program itself that a link can be opened on, in place of a URL: a virtual gateway."""
+    """An object on which a link can be opened instead of a URL, such as a virtual gateway."""
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
-        """Open the medium; raise `ConnectError` where it can't be opened."""
+        """Open the medium; raise `ConnectError` if it cannot be opened."""
 
 
 class WordsByAddress(Protocol):
-    """Words that are read and written where they stand, such as a `memoryview`."""
+    """Words that are read and written in memory by index, such as a `memoryview`."""
 
     def __len__(self) -> int: ...
     def __getitem__(self, address: int, /) -> int: ...
@@ -90,29 +89,29 @@ class WordsByAddress(Protocol):
 
 
 class MemoryBus(Protocol):
-    """A bus that is mapped into memory: what a driver's ``open_bus(url)`` returns."""
+    """A bus that is mapped into memory, returned by a driver's ``open_bus(url)``."""
 
     @property
     def words(self) -> WordsByAddress:
-        """The words by address; each access is one to the bus."""
+        """Words by address; each access to an element is one bus access."""
 
     @property
     def info(self) -> GatewayInfo:
-        """Description of the gateway for the link."""
+        """Configuration that the link uses for this bus."""
 
     def close(self) -> None:
-        """Unmap it."""
+        """Unmap the bus."""
 
 
 def register(scheme: str, driver: str | Driver) -> None:
     """Register the driver that opens the URLs of a scheme.
 
     Args:
-        scheme: what stands before the colon: lower-case letters, digits, ``+``, ``-`` and ``.``, a letter first.
-        driver: the driver, or the name of the module that is it, which is imported when a URL asks for it.
+        scheme: part of the URL before the colon: lower-case letters, digits, ``+``, ``-`` and ``.``, a letter first.
+        driver: the driver, or the name of a module that is a driver; the module is imported when it is needed.
 
     Raises:
-        ArgumentError: for a scheme that has other characters or another driver, and an object that is no driver.
+        ArgumentError: if the scheme has other characters or another driver, or if the object is not a driver.
     """
     if not _SCHEME.fullmatch(scheme):
         raise ArgumentError(
@@ -127,7 +126,7 @@ def register(scheme: str, driver: str | Driver) -> None:
 def _check(scheme: str, driver: object) -> None:
     missing = [name for name in ("connect", "OPTIONS") if not hasattr(driver, name)]
     if missing:
-        raise ArgumentError(f"{_name(driver)} is no driver for {scheme}:, for it has no {' and no '.join(missing)}")
+        raise ArgumentError(f"{_name(driver)} is no driver for {scheme}: because it has no {' and no '.join(missing)}")
 
 
 def _name(driver: object) -> str:
@@ -135,18 +134,18 @@ def _name(driver: object) -> str:
 
 
 def _installed() -> EntryPoints:
-    # Here and not at the top: it is slow to import, and few programs have a medium of another package.
+    # Imported here because it is slow, and few programs use media of other packages.
     from importlib.metadata import entry_points
 
     return entry_points(group=ENTRY_POINTS)
 
 
 def _register_installed(scheme: str) -> bool:
-    """Register the driver that an installed package has for a scheme; return whether there is one.
+    """Register the driver that an installed package has for a scheme; return True if there is one.
 
     Raises:
-        ArgumentError: where several packages have one, or what one has is no driver.
-        ConnectError: where it cannot be imported.
+        ArgumentError: if several packages have a driver for the scheme, or the object is not a driver.
+        ConnectError: if the driver cannot be imported.
     """
     points = _installed().select(name=scheme)
     packages = sorted(point.dist.name for point in points if point.dist)
@@ -162,21 +161,21 @@ def _register_installed(scheme: str) -> bool:
 
 
 def register_stand_in(device: str, module: str) -> None:
-    """Register a module that opens URLs that name a device, such as ``ftdi://virtual``."""
+    """Register the module of a simulated device, such as that of ``ftdi://virtual``."""
     _STAND_INS[device] = module
 
 
 def load_stand_in(device: str) -> Any:
-    """Import what stands in for a device; None for a real one."""
+    """Return the module of a simulated device; None for a real device."""
     return importlib.import_module(_STAND_INS[device]) if device in _STAND_INS else None
 
 
 def parse_url(url: str) -> DriverUrl:
-    """Take a URL apart.
+    """Parse a URL.
 
     Raises:
-        ArgumentError: for an unknown scheme, a malformed URL, or an option that the scheme does not know.
-        ConnectError: where the driver of the scheme cannot be imported.
+        ArgumentError: if the scheme is unknown, the URL is malformed, or the scheme does not have one of the options.
+        ConnectError: if the driver of the scheme cannot be imported.
     """
     scheme, text = url.partition(":")[0], _TOKEN.sub("...", url)
     if "\0" in url:
@@ -189,7 +188,7 @@ def parse_url(url: str) -> DriverUrl:
             hint = f"it is a spec, which `unity_link.load` and SPEC of a command take; a URL begins with one of {known}"
         raise ArgumentError(f"{text!r} is no URL of a gateway: {hint}")
     try:
-        # A # may be in the name of a file, and a + in a token.
+        # No fragments, and + stays +: a file name may contain #, and a token may contain +.
         parts = urlsplit(url, allow_fragments=False)
         query = parts.query.replace("+", "%2B")
         options = dict(parse_qsl(query, keep_blank_values=True, strict_parsing=bool(query)))
@@ -211,13 +210,13 @@ def parse_url(url: str) -> DriverUrl:
 
 
 def is_url(text: str) -> bool:
-    """Return whether a text begins with a scheme that is known, as URLs of gateways do."""
+    """Return True if a text begins with a registered scheme and a colon."""
     scheme, colon, _ = text.partition(":")
     return bool(colon) and (scheme in _DRIVERS or scheme in _installed().names)
 
 
 def _likely_url(text: str) -> str:
-    """Return the URL that was probably meant by a text that is none; empty if there is no likely one."""
+    """Return the URL that a user probably meant by an invalid one; empty if there is no likely URL."""
     scheme, colon, rest = text.partition(":")
     if _SERIAL_PORT.match(text):
         return f"serial:{text}"
@@ -233,8 +232,8 @@ def load_driver(scheme: str) -> Driver:
     """Return the driver of a scheme.
 
     Raises:
-        ArgumentError: where the module that was registered is none.
-        ConnectError: where that cannot be imported.
+        ArgumentError: if the registered module is not a driver.
+        ConnectError: if the module cannot be imported.
     """
     driver = _DRIVERS[scheme]
     if not isinstance(driver, str):
@@ -250,11 +249,11 @@ def load_driver(scheme: str) -> Driver:
 async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Connect a protocol to a medium, and return its transport.
 
-    A snoop and the log of the frames stand in between where they are wanted now, and otherwise not at all.
+    If a snoop or a log of frames is enabled now, a tap between the two records the bytes; otherwise there is no tap.
 
     Raises:
-        ArgumentError: for a snoop that can't be written; nothing was opened.
-        ConnectError: where the medium can't be opened.
+        ArgumentError: if the snoop cannot be written; the medium is not opened then.
+        ConnectError: if the medium cannot be opened.
     """
     import asyncio
 
@@ -274,12 +273,12 @@ async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) ->
 
 
 def _is_shared(url: DriverUrl) -> bool:
-    """Return whether links to other nodes may share what a URL names; waiting for it wants what Windows has not."""
+    """Return True if links to several nodes may share the port of a URL; never on Windows, which has no `poll`."""
     return url.node is not None and getattr(load_driver(url.scheme), "NODES_SHARE", False) and hasattr(select, "poll")
 
 
 async def _open_shared(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Open a link's part of a port; where that waits, a thread does."""
+    """Open a link's part of a shared port, in a thread, because opening may block."""
     import asyncio
     import threading
 
@@ -302,20 +301,20 @@ def _close_opened(opening: asyncio.Future[Channel]) -> None:
 
 
 def has_channel(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
-    """Return whether `open_channel` opens a medium."""
+    """Return True if `open_channel` can open a medium."""
     return isinstance(target, DriverUrl) and hasattr(load_driver(target.scheme), "open_channel")
 
 
 def open_channel(url: DriverUrl, timeout: float | None, is_given_up: Callable[[], bool] = lambda: False) -> Channel:
-    """Open a medium whose driver has `open_channel`, without an event loop; of a shared port, the part of a node.
+    """Open a medium without an event loop; on a shared port, the part of one node.
 
     Args:
-        url: names it.
-        timeout: seconds after which it can't be opened; None: no limit.
-        is_given_up: whether nobody waits for it any more.
+        url: URL of a medium whose driver has `open_channel`.
+        timeout: time limit in seconds; None for no limit.
+        is_given_up: returns True once the caller no longer waits.
 
     Raises:
-        ConnectError: where the medium can't be opened.
+        ConnectError: if the medium cannot be opened.
     """
     with refused_as("it cannot be opened"):
         driver = cast("Any", load_driver(url.scheme))
@@ -329,7 +328,7 @@ def open_channel(url: DriverUrl, timeout: float | None, is_given_up: Callable[[]
 
 
 def has_bus(target: DriverUrl | Medium) -> TypeGuard[DriverUrl]:
-    """Return whether `open_bus` opens a target, which carries no frames then."""
+    """Return True if `open_bus` can open a target; such a target has no frames."""
     return isinstance(target, DriverUrl) and hasattr(load_driver(target.scheme), "open_bus")
 
 
@@ -337,18 +336,18 @@ def open_bus(url: DriverUrl) -> MemoryBus:
     """Map a bus into memory.
 
     Raises:
-        ArgumentError: for a URL that cannot be.
-        ConnectError: where it cannot be mapped.
+        ArgumentError: if the URL is invalid.
+        ConnectError: if the bus cannot be mapped.
     """
     bus: MemoryBus = cast("Any", load_driver(url.scheme)).open_bus(url)
     return bus
 
 
 def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.Protocol:
-    """Return what a medium is to be connected to, so that a snoop and the log have what passes, where wanted.
+    """Return the protocol to connect to a medium: `protocol`, or a tap in front of it if a snoop or log is enabled.
 
     Raises:
-        ArgumentError: for a snoop that can't be written.
+        ArgumentError: if the snoop cannot be written.
     """
     named = target.snoop if isinstance(target, DriverUrl) else None
     snoop = os.environ.get(SNOOP_VARIABLE, "") if named is None else named
@@ -361,7 +360,7 @@ def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.
 
 
 def check_target(target: object) -> None:
-    """Raise ArgumentError for what is neither a URL nor can be opened."""
+    """Raise ArgumentError if an object is neither a URL nor a medium."""
     if isinstance(target, os.PathLike):
         path = os.fspath(target)
         raise ArgumentError(f"a URL is a text, not a path: write {_likely_url(str(path)) or f'unix:{path!s}'!r}")
@@ -370,32 +369,32 @@ def check_target(target: object) -> None:
 
 
 def name_of(target: DriverUrl | Medium) -> str:
-    """Return what messages call a medium."""
+    """Return the name of a medium for messages."""
     return target.text if isinstance(target, DriverUrl) else "the given gateway"
 
 
 def node_of(target: DriverUrl | Medium) -> int | None:
-    """Return the number of the node on a medium that several share, None on one of our own."""
+    """Return the node number on a medium that several nodes share; None if there is only one gateway."""
     node: int | None = getattr(target, "node", None)
     return node
 
 
 def takes_compact_form(target: DriverUrl | Medium) -> bool:
-    """Return whether frames may be in compact form on a medium."""
+    """Return True if frames may have the compact form on a medium."""
     return not isinstance(target, DriverUrl) or target.compact
 
 
 def has_echo(target: DriverUrl | Medium) -> bool:
-    """Return whether a medium is known to give back what is sent."""
+    """Return True if the URL declares that the medium echoes all sent bytes."""
     return isinstance(target, DriverUrl) and target.echo
 
 
 async def prepare(url: DriverUrl) -> None:
-    """Do what must be done once before a medium of this kind can be opened.
+    """Do the work that a driver needs once before it can open a URL, such as compiling.
 
     Raises:
-        ArgumentError: for a URL of something that there is not.
-        ConnectError: where it can't be done here.
+        ArgumentError: if the URL names something that does not exist.
+        ConnectError: if the work fails on this machine.
     """
     preparing = getattr(load_driver(url.scheme), "prepare", None)
     if preparing is not None:

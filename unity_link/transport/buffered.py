@@ -1,4 +1,4 @@
-"""The common part of the transports of this package: who is delivered to, and when which side has to pause."""
+"""Base class of the package's own transports: the protocol, and flow control in both directions."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import asyncio
 from typing import Any
 
 HIGH_WATER, LOW_WATER = 65_536, 16_384
-"""Unwritten bytes above which the protocol is asked to pause writing, and down to which it may go on."""
+"""Numbers of unwritten bytes: above the first the protocol must pause writing, at the second it may resume."""
 
 
 class BufferedTransport(asyncio.Transport):
     """A transport with a buffer in each direction.
 
-    What derives from it says how many bytes are not written yet, calls `_pause_writing_if_full` when there are more and
-    `_resume_writing_if_calm` when there are fewer, and delivers only while `is_reading`.
+    A derived class returns the number of unwritten bytes, calls `_pause_writing_if_full` after it grew and
+    `_resume_writing_if_calm` after it fell, and delivers received bytes only while `is_reading`.
 
     Args:
-        protocol: reads and writes.
-        extra: what `get_extra_info` tells.
+        protocol: receives the bytes.
+        extra: values for `get_extra_info`.
     """
 
     def __init__(self, protocol: asyncio.Protocol, extra: dict[str, Any] | None = None) -> None:
@@ -29,36 +29,36 @@ class BufferedTransport(asyncio.Transport):
         self._writing_paused = False
 
     def set_protocol(self, protocol: asyncio.BaseProtocol) -> None:
-        """Deliver to another protocol."""
+        """Deliver received bytes to another protocol from now on."""
         assert isinstance(protocol, asyncio.Protocol)
         self._protocol = protocol
 
     def get_protocol(self) -> asyncio.BaseProtocol:
-        """Return the protocol that is delivered to."""
+        """Return the protocol that receives the bytes."""
         return self._protocol
 
     def get_write_buffer_size(self) -> int:
-        """Return how many bytes are not written yet."""
+        """Return the number of unwritten bytes."""
         raise NotImplementedError
 
     def get_write_buffer_limits(self) -> tuple[int, int]:
-        """Return the levels at which the protocol may write again, and must pause."""
+        """Return the low and the high limit of unwritten bytes."""
         return LOW_WATER, HIGH_WATER
 
     def can_write_eof(self) -> bool:
-        """Return False: a gateway knows no end of a stream."""
+        """Return False: the protocol of gateways has no end of a stream."""
         return False
 
     def pause_reading(self) -> None:
-        """Deliver nothing until `resume_reading`; what arrives is kept, as far as there is room."""
+        """Stop delivering until `resume_reading`; received bytes are buffered up to a limit."""
         self._reading = False
 
     def is_reading(self) -> bool:
-        """Return whether what arrives is delivered."""
+        """Return True if received bytes are delivered."""
         return self._reading and not self._closing
 
     def is_closing(self) -> bool:
-        """Return whether the end was asked for, or has come."""
+        """Return True if the transport is closing or closed."""
         return self._closing
 
     def _pause_writing_if_full(self) -> None:

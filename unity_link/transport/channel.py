@@ -1,7 +1,7 @@
-"""Media that have a file descriptor, opened without an event loop.
+"""Media with a file descriptor, opened without an event loop.
 
-A driver whose medium is one has a function ``open_channel(url, timeout)``, by which blocking code has its bytes without
-a change of threads.
+The driver of such a medium has a function ``open_channel(url, timeout)``. With it, blocking code reads and writes in
+its own thread.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ LARGEST_READ = 65_536
 
 
 def has_ended(descriptor: int) -> bool:
-    """Return whether nothing was read because the other side has closed; at a terminal, input may have been dropped."""
+    """Return True if an empty read means that the other side has closed.
+
+    An empty read of a terminal can also mean that its input was discarded.
+    """
     if not os.isatty(descriptor):
         return True
     poll = select.poll()
@@ -32,34 +35,37 @@ def has_ended(descriptor: int) -> bool:
 
 
 class Channel(Protocol):
-    """A medium with a file descriptor that never blocks."""
+    """A medium with a non-blocking file descriptor."""
 
     shortest_timeout: float
-    """Seconds that the medium may hold an answer back, and some more."""
+    """Lower limit of the retransmission timeout in seconds: the time that the medium may delay an answer, and a margin.
+    """
 
     def fileno(self) -> int:
         """Return the file descriptor."""
 
     def read(self) -> bytes:
-        """Return what has come; what there is none of is empty, or raises BlockingIOError.
+        """Return the received bytes; possibly none.
 
         Raises:
-            EOFError: where the other side has closed it.
-            OSError: where the medium is gone; or ConnectError.
+            BlockingIOError: if no bytes were received.
+            EOFError: if the other side has closed the medium.
+            ConnectError: if the medium is lost.
+            OSError: if the medium is lost.
         """
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
-        """Write what fits, and return how many bytes that was; raises OSError where the medium is gone."""
+        """Write as many bytes as the medium accepts, and return their number; raise OSError if the medium is lost."""
 
     def close(self) -> None:
-        """Close it."""
+        """Close the medium."""
 
 
 class SocketChannel:
     """A connected stream socket.
 
     Args:
-        connected: is the channel's from now on.
+        connected: the socket; the channel closes it.
     """
 
     shortest_timeout = QUICK_TIMEOUT
@@ -72,7 +78,7 @@ class SocketChannel:
         self.close = connected.close
 
     def read(self) -> bytes:
-        """Return what has come."""
+        """Return the received bytes."""
         data = self._socket.recv(LARGEST_READ)
         if not data:
             raise EOFError
@@ -81,11 +87,11 @@ class SocketChannel:
 
 @contextlib.contextmanager
 def refused_as(failure: str, question: str | Callable[[OSError | UnicodeError], str] = "") -> Iterator[None]:
-    """Raise ConnectError for what the system refuses in the block.
+    """Convert an OSError or UnicodeError in the block to a ConnectError.
 
     Args:
-        failure: what could not be done.
-        question: what the user might look at, or what says so of an error.
+        failure: beginning of the message: the failed operation.
+        question: end of the message, a hint for the user; or a function that returns it for an error.
     """
     try:
         yield
@@ -95,11 +101,11 @@ def refused_as(failure: str, question: str | Callable[[OSError | UnicodeError], 
 
 
 def refusal(error: OSError | UnicodeError) -> str:
-    """Return why the system refused something, in its own words where asyncio has others."""
+    """Return the operating system's text of an error, even if asyncio has replaced the text by its own."""
     if isinstance(error, UnicodeError):
-        # Of `socket`, which asks for an address by name in IDNA.
-        return "that cannot be a name"
-    # Of several addresses asyncio tells the numbers of the errors alone.
+        # `socket` could not encode the host name by IDNA.
+        return "that is not a host name"
+    # After failures at several addresses, asyncio's error has the numbers of the errors only in its text.
     numbers = [error.errno or 0, *map(int, re.findall(r"\[Errno (\d+)\]", str(error)))]
     number = next((number for number in numbers if number > 0), None)
     return os.strerror(number) if number else error.strerror or str(error) or type(error).__name__

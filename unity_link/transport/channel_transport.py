@@ -1,4 +1,4 @@
-"""Transports of media with a file descriptor, by what waits for it: a thread, a task group or an event loop."""
+"""Transports of media with a file descriptor, which a thread, a task group or an event loop polls."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ class Watcher(Protocol):
     """A poller of file descriptors."""
 
     def call_soon(self, function: Callable[[], object], /) -> object:
-        """Call a function when what runs now waits."""
+        """Call a function after the code that runs now."""
 
     def call_soon_threadsafe(self, function: Callable[[], object], /) -> object:
-        """Call a function soon; may be called by other threads."""
+        """Call a function soon; other threads may use this."""
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready."""
+        """Call a handler with the events whenever a file descriptor is ready for some of `events`."""
 
     def unwatch(self, descriptor: int) -> None:
-        """Call no handler any more."""
+        """Stop calling the handler of a file descriptor."""
 
 
 class LoopWatcher:
-    """The event loop that is running."""
+    """Polls file descriptors by the running event loop of asyncio."""
 
     def __init__(self) -> None:
         self._loop = loop = asyncio.get_running_loop()
@@ -42,7 +42,7 @@ class LoopWatcher:
         self.call_soon_threadsafe = loop.call_soon_threadsafe
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready."""
+        """Call a handler with the events whenever a file descriptor is ready for some of `events`."""
         self._loop.add_reader(descriptor, handler, READABLE)
         if events & WRITABLE:
             self._loop.add_writer(descriptor, handler, WRITABLE)
@@ -50,18 +50,18 @@ class LoopWatcher:
             self._loop.remove_writer(descriptor)
 
     def unwatch(self, descriptor: int) -> None:
-        """Call no handler any more."""
+        """Stop calling the handler of a file descriptor."""
         self._loop.remove_reader(descriptor)
         self._loop.remove_writer(descriptor)
 
 
 class ChannelTransport(asyncio.Transport):
-    """Writes at once what the channel takes, and the rest when it takes more.
+    """A transport that writes at once as much as the channel accepts, and the rest once the channel is writable again.
 
     Args:
         watcher: polls the channel.
-        channel: is closed with the transport.
-        protocol: takes what arrives.
+        channel: the channel; the transport closes it.
+        protocol: receives the bytes.
     """
 
     def __init__(self, watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> None:
@@ -79,7 +79,7 @@ class ChannelTransport(asyncio.Transport):
         protocol.connection_made(self)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Send bytes."""
+        """Write bytes, or buffer them until the channel accepts them."""
         if self._closing:
             return
         if not self._unwritten:
@@ -94,19 +94,22 @@ class ChannelTransport(asyncio.Transport):
             self._protocol.pause_writing()
 
     def pause_reading(self) -> None:
-        """Leave what arrives in the channel until `resume_reading`; for few turns, as its descriptor is polled on."""
+        """Leave received bytes in the channel until `resume_reading`.
+
+        Pause only briefly: polling continues and returns at once while unread bytes are pending.
+        """
         self._reading = False
 
     def resume_reading(self) -> None:
-        """Read again."""
+        """Deliver received bytes again."""
         self._reading = True
 
     def is_closing(self) -> bool:
-        """Return whether the end was asked for, or has come."""
+        """Return True if the transport is closed."""
         return self._closing
 
     def abort(self) -> None:
-        """End the connection at once."""
+        """Close the channel at once, and drop unwritten bytes."""
         self._end(None)
 
     close = abort
@@ -148,7 +151,7 @@ class ChannelTransport(asyncio.Transport):
             self._protocol.resume_writing()
 
     def _lose(self, reason: Exception | None) -> None:
-        """Record that the medium is gone."""
+        """End the connection because the medium is lost."""
         self._end(reason)
 
     def _end(self, reason: Exception | None) -> None:
@@ -163,7 +166,7 @@ class ChannelTransport(asyncio.Transport):
 
 
 class SharedTransport(ChannelTransport):
-    """A transport of a link's part of a shared port, which is listened to in the turns of the link."""
+    """The transport of a link on a shared port; it reads and writes only in the link's slots."""
 
     def __init__(self, watcher: Watcher, channel: SharedChannel, protocol: asyncio.Protocol) -> None:
         self._shared = channel
@@ -171,12 +174,12 @@ class SharedTransport(ChannelTransport):
         super().__init__(watcher, channel, protocol)
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Send a frame, in the turn of the link."""
+        """Send a frame in the link's slot; outside of it, drop the frame."""
         seat = self._shared.seat
         if self._closing or not seat.has_turn:
             return
         if not self._unwritten and not seat.is_kept:
-            # A turn begins with this.
+            # This frame is the first one in the slot.
             self._shared.drop_input()
         if not self._listening:
             self._listening = True
@@ -192,7 +195,7 @@ class SharedTransport(ChannelTransport):
             self._watcher.unwatch(self._descriptor)
 
     def _lost_elsewhere(self) -> None:
-        # The loop of a link that was not closed may be gone.
+        # If the link was not closed, its event loop may have ended.
         with suppress(RuntimeError):
             self._watcher.call_soon_threadsafe(lambda: self._end(ConnectError("the port is lost")))
 
@@ -203,7 +206,7 @@ class SharedTransport(ChannelTransport):
 
 
 def make_transport(watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> ChannelTransport:
-    """Return a transport of a channel."""
+    """Return the transport for a channel."""
     if isinstance(channel, SharedChannel):
         return SharedTransport(watcher, channel, protocol)
     return ChannelTransport(watcher, channel, protocol)

@@ -1,4 +1,4 @@
-"""Gateways of a network, found by a question to all (docs/protocol.md, "Finding boards")."""
+"""Finds the gateways in a network by broadcast questions (docs/protocol.md, "Finding boards")."""
 
 from __future__ import annotations
 
@@ -18,51 +18,51 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 QUESTIONS = 3
-"""Times that each question is asked: a datagram can be lost."""
+"""Number of times that a question is sent, because datagrams can be lost."""
 PATIENCE = 1.0
-"""Seconds in which answers come, usually."""
+"""Seconds within which answers usually arrive."""
 _ALL_STATIONS = "255.255.255.255"
 _FROM_ANY = ""
 _SIOCGIFADDR = 0x8915
 _ADDRESS_OF_IFREQ = slice(20, 24)
-"""Linux: the IPv4 address of an interface, and where it stands."""
+"""Position of an interface's IPv4 address in the result of Linux' ioctl SIOCGIFADDR."""
 
 
 class FoundBoard(NamedTuple):
-    """A gateway that has answered."""
+    """A gateway that answered."""
 
     found: Found
     address: str
     port: int
     doubled: bool
-    """True if two answers came to each question: of two gateways that tell the same of themselves."""
+    """True if each question had two equal answers: two gateways have the same MAC address and IP address."""
 
     @property
     def mac(self) -> str:
-        """Return its MAC address, as people write it."""
+        """MAC address with colons."""
         return self.found.mac.hex(":")
 
     @property
     def url(self) -> str:
-        """Return the URL that opens it."""
+        """URL that opens a link to the gateway."""
         return f"udp://{self.address}:{self.port}"
 
 
 async def find(
     places: Sequence[str], port: int, *, patience: float = PATIENCE, mac: bytes = EVERYBODY, ip: bytes = NOWHERE
 ) -> list[FoundBoard]:
-    """Ask who is there; returns those that have answered, by their addresses.
+    """Ask for gateways, and return those that answered, sorted by address.
 
     Args:
-        places: addresses to ask, of a whole network or of one machine; none for all networks that this machine is in,
-            and itself.
-        port: of the gateways.
-        patience: seconds until the last answer counts.
-        mac: of the gateway that is asked alone; the first answer of it is enough.
-        ip: the address of IP that this one is to take.
+        places: addresses to ask, each of a network or of one machine; empty for all networks of this machine, and for
+            the machine itself.
+        port: UDP port of the gateways.
+        patience: seconds to wait for answers.
+        mac: MAC address of a single gateway to ask; its first answer ends the search.
+        ip: IP address that this gateway is to use from now on.
 
     Raises:
-        ConnectError: where nobody can be asked.
+        ConnectError: if the question cannot be sent to any address.
     """
     enough = asyncio.Event()
     async with contextlib.AsyncExitStack() as stack:
@@ -76,7 +76,7 @@ async def find(
             refusals = [asker.ask(ask(mac, ip)) for asker in askers]
             if all(refusals):
                 raise ConnectError(
-                    f"nobody can be asked at port {port}: {'; '.join(dict.fromkeys(map(str, refusals)))}"
+                    f"the question cannot be sent to port {port}: {'; '.join(dict.fromkeys(map(str, refusals)))}"
                 )
             with contextlib.suppress(TimeoutError):
                 await asyncio.wait_for(enough.wait(), patience / (2 if number == QUESTIONS - 1 else 4))
@@ -89,9 +89,9 @@ class _Asker(asyncio.DatagramProtocol):
 
     Args:
         opened: the socket.
-        place: the address and port to ask.
-        mac: of the gateway that is asked; only its answers count, unless all gateways are asked.
-        enough: is set at an answer of that gateway.
+        place: address and port to ask.
+        mac: MAC address of the gateway that is asked; answers of other gateways are ignored, unless all are asked.
+        enough: event that is set by an answer of that gateway.
     """
 
     def __init__(self, opened: socket.socket, place: tuple[str, int], mac: bytes, enough: asyncio.Event) -> None:
@@ -113,7 +113,7 @@ class _Asker(asyncio.DatagramProtocol):
             self._enough.set()
 
     def ask(self, question: bytes) -> str:
-        """Send a question; returns why that can't be done, nothing where it could."""
+        """Send a question; return the reason if that fails, otherwise an empty string."""
         try:
             self.socket.sendto(question, self._place)
         except (OSError, UnicodeError) as error:
@@ -122,7 +122,7 @@ class _Asker(asyncio.DatagramProtocol):
 
 
 def _ways(places: Sequence[str]) -> list[tuple[str, str]]:
-    """Return from which address each place is asked."""
+    """Return pairs of a local address to send from and an address to send to."""
     if places:
         return [(_FROM_ANY, place) for place in places]
     return [
@@ -135,25 +135,25 @@ def _open(source: str) -> socket.socket:
     opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     opened.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
     opened.setblocking(False)  # noqa: FBT003  (it has no name)
-    # Of a network that goes down in this moment: what is sent to it is refused.
+    # The network of the address may just have gone down; sending then fails and gives the reason.
     with contextlib.suppress(OSError):
         opened.bind((source, 0))
     return opened
 
 
 def _own_addresses() -> list[str]:
-    """Return IPv4 addresses of this machine, one of each network: a question goes to the network that it is from."""
+    """Return this machine's IPv4 address in each network: a broadcast goes to the network of its source address."""
     if sys.platform != "linux":
         with contextlib.suppress(OSError):
             return [str(each[4][0]) for each in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)]
         return []
-    # Not there on Windows.
+    # Windows does not have this module.
     import fcntl
 
     found = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
         for _, name in socket.if_nameindex():
-            # One without an address is none to ask by.
+            # Skip interfaces without an IPv4 address.
             with contextlib.suppress(OSError):
                 told = fcntl.ioctl(asked.fileno(), _SIOCGIFADDR, struct.pack("256s", name.encode()))
                 found.append(socket.inet_ntoa(told[_ADDRESS_OF_IFREQ]))
@@ -161,12 +161,12 @@ def _own_addresses() -> list[str]:
 
 
 def _boards(askers: list[_Asker], port: int) -> list[FoundBoard]:
-    """Return the gateways, each once, whichever networks it has answered in."""
+    """Return each gateway once, even if it answered in several networks."""
     boards: dict[tuple[object, ...], FoundBoard] = {}
     for asker in askers:
         times: Counter[tuple[object, ...]] = Counter()
         for (found, address), count in asker.answers.items():
-            # A session may have begun between two answers.
+            # Ignore `session_open` in the comparison: a session may have begun between two answers.
             key = (found._replace(session_open=False), address)
             times[key] += count
             doubled = times[key] >= 2 * QUESTIONS or (key in boards and boards[key].doubled)

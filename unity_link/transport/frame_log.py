@@ -1,4 +1,4 @@
-"""Loggers of the frames of connections that are opened while one of them is at debug level."""
+"""Loggers of frames; a connection logs its frames if one of them is at level DEBUG when the connection is opened."""
 
 import logging
 
@@ -6,5 +6,5 @@ SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for na
 
 
 def is_wanted() -> bool:
-    """Return whether any frames are to be logged."""
+    """Return True if one of the loggers is at level DEBUG."""
     return any(log.isEnabledFor(logging.DEBUG) for log in (SENT, RECEIVED, SAMPLES))

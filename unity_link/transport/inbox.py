@@ -1,4 +1,4 @@
-"""The way from other threads, as those of Zenoh and ROS, into the event loop."""
+"""Passes items from other threads, such as those of Zenoh and ROS, into the event loop."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ T = TypeVar("T")
 
 
 class Inbox(Generic[T]):
-    """Queue from threads into an event loop: all that has come together at a time.
+    """A queue from threads into an event loop.
 
     Args:
-        take: is called in the loop with what has come, in order.
-        most: where so many wait, the giving thread blocks.
+        take: is called in the loop with all queued items, in order.
+        most: number of queued items at which the threads that add items are blocked.
     """
 
     def __init__(self, take: Callable[[list[T]], object], most: int = 1 << 16) -> None:
@@ -34,7 +34,7 @@ class Inbox(Generic[T]):
         self._held = False
 
     def give(self, *items: T) -> None:
-        """Put something in, from any thread but that of the loop."""
+        """Add items, from any thread except that of the loop; block while the queue is full."""
         self._room.wait()
         if not self._open:
             return
@@ -43,33 +43,33 @@ class Inbox(Generic[T]):
             self._room.clear()
         if not self._called:
             self._called = True
-            # The loop may have ended.
+            # The loop may be closed.
             with contextlib.suppress(RuntimeError):
                 self._loop.call_soon_threadsafe(self._hand_over)
 
     def hold(self) -> None:
-        """Hand nothing over until `release`."""
+        """Keep items in the queue until `release`."""
         self._held = True
 
     def release(self) -> None:
-        """Hand over again."""
+        """Pass on the queued items, and later ones as they arrive."""
         self._held = False
         self._hand_over()
 
     def close(self) -> list[T]:
-        """Take nothing any more; return what has not been handed over."""
+        """Ignore further items; return the items that are still queued."""
         self._open = False
         items = self._empty()
         self._room.set()
         return items
 
     def _hand_over(self) -> None:
-        # First, so that what is given from here on calls again.
+        # Clear the flag first, so that items added from now on schedule another call.
         self._called = False
         if self._held:
             return
         items = self._empty()
-        # Also where nothing waits: who gave the last may have seen a full box after it was emptied.
+        # Set the event even if the queue was empty: a thread may have found it full after it was emptied.
         self._room.set()
         if items:
             self._take(items)

@@ -1,7 +1,7 @@
-"""Sockets that other programs connect to: where they may be opened, by which users, and the errors where they can't.
+"""Opens the sockets that other programs connect to.
 
-A Unix socket belongs to this user alone, and one that a program left behind is replaced only if no process listens at
-it. TCP is for this machine alone unless the caller names another address.
+Only the user who runs this program can connect to a Unix socket. A socket that an earlier program left is replaced only
+if no process listens on it. TCP ports are open to this machine only, unless the caller names another address.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ _OWNER_ONLY = 0o177
 
 
 class Serving(contextlib.AbstractAsyncContextManager[T_co]):
-    """Server of an ``async with`` block; warns where that is never left.
+    """A server that runs during an ``async with`` block; it warns if the block never ends.
 
     Args:
-        what: how messages call it.
-        block: serves.
+        what: name of the server in messages.
+        block: context manager that runs the server.
     """
 
     def __init__(self, what: str, block: contextlib.AbstractAsyncContextManager[T_co]) -> None:
@@ -42,11 +42,11 @@ class Serving(contextlib.AbstractAsyncContextManager[T_co]):
         self._block = block
         self._is_open = False
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports wrong uses without these.
         __await__ = __enter__ = __exit__ = refusing("nothing is served yet: write `async with serve...(...) as url:`")
 
     def __del__(self) -> None:
-        """Warn of what was not closed."""
+        """Warn if the block was not left."""
         if self._is_open:
             warnings.warn(f"{self._what} is still served: use `async with`", ResourceWarning, stacklevel=1, source=self)
 
@@ -63,7 +63,11 @@ class Serving(contextlib.AbstractAsyncContextManager[T_co]):
 
 
 def serving(what: str) -> Callable[[Callable[P, AsyncIterator[T]]], Callable[P, Serving[T]]]:
-    """Make of a generator what serves while an ``async with`` block runs, as `contextlib.asynccontextmanager` does."""
+    """Return a decorator like `contextlib.asynccontextmanager`, whose functions return a `Serving`.
+
+    Args:
+        what: name of the server in messages.
+    """
 
     def decorate(generate: Callable[P, AsyncIterator[T]]) -> Callable[P, Serving[T]]:
         make = contextlib.asynccontextmanager(generate)
@@ -81,10 +85,10 @@ def serving(what: str) -> Callable[[Callable[P, AsyncIterator[T]]], Callable[P, 
 async def listen_tcp(
     factory: Callable[[], asyncio.Protocol], port: int = 0, host: str = LOOPBACK
 ) -> AsyncIterator[str]:
-    """Listen at a TCP port until the end of the context; 0 chooses a free one. Returns the URL.
+    """Listen on a TCP port until the end of the context, and yield its URL; port 0 chooses a free port.
 
     Raises:
-        ConnectError: where the port can't be opened.
+        ConnectError: if the port cannot be opened.
     """
     try:
         server = await asyncio.get_running_loop().create_server(factory, checked_host(host), port)
@@ -98,10 +102,10 @@ async def listen_tcp(
 
 @contextlib.asynccontextmanager
 async def listen_unix(factory: Callable[[], asyncio.Protocol], path: str | os.PathLike[str]) -> AsyncIterator[str]:
-    """Listen at a Unix socket that only this user may open, and that is removed at the end. Returns the URL.
+    """Listen on a Unix socket that only this user can open, and yield its URL; remove the socket at the end.
 
     Raises:
-        ConnectError: where something else is at the path, or it can't be used.
+        ConnectError: if the path belongs to another file or a running server, or cannot be used.
     """
     place, listener = _bind(path)
     mine = place.stat().st_ino
@@ -113,14 +117,14 @@ async def listen_unix(factory: Callable[[], asyncio.Protocol], path: str | os.Pa
             server.close()
     finally:
         listener.close()
-        # If ours was removed, another one may be in its place.
+        # Remove only our own socket: another program may have replaced it.
         with contextlib.suppress(FileNotFoundError):
             if place.stat().st_ino == mine:
                 place.unlink()
 
 
 def _bind(path: str | os.PathLike[str]) -> tuple[Path, socket.socket]:
-    """Bind a socket; one that a program left behind without removing it is replaced."""
+    """Bind a socket to a path; replace a socket that no program listens on any more."""
     place = Path(path).absolute()
     if place.is_socket():
         _make_way(place)
@@ -141,13 +145,13 @@ def _bind(path: str | os.PathLike[str]) -> tuple[Path, socket.socket]:
 
 
 def _make_way(place: Path) -> None:
-    """Remove a socket that a program left behind.
+    """Remove a socket that an earlier program left.
 
     Raises:
-        ConnectError: where a program listens at it, or that cannot be found out.
+        ConnectError: if a program listens on the socket, or it is unknown whether one does.
     """
     with socket.socket(socket.AF_UNIX) as probe:
-        # A program that stands still takes no more callers, and a caller must not wait for it.
+        # Do not block: a stopped program may never accept the connection.
         probe.settimeout(0)
         try:
             probe.connect(str(place))
@@ -155,7 +159,7 @@ def _make_way(place: Path) -> None:
             place.unlink(missing_ok=True)
         except BlockingIOError:
             raise ConnectError(
-                f"{place} is served by another program, which answers nobody: end that, or choose another path"
+                f"{place} is served by another program, which accepts no connections: end it, or choose another path"
             ) from None
         except OSError as error:
             raise ConnectError(f"{place} can't be served ({error.strerror}): choose another path") from error
@@ -164,10 +168,10 @@ def _make_way(place: Path) -> None:
 
 
 def checked_host(host: str) -> str:
-    """Return an address to listen at.
+    """Return an address to listen on.
 
     Raises:
-        OSError: for an empty one, which asyncio takes for every address of the machine.
+        OSError: if the address is empty: asyncio would listen on all addresses of the machine.
     """
     if not host:
         raise OSError(errno.EINVAL, "an address was expected")
@@ -175,12 +179,12 @@ def checked_host(host: str) -> str:
 
 
 def url_of(scheme: str, host: str, port: int) -> str:
-    """Return the URL of a port."""
+    """Return the URL of a port of a host."""
     return f"{scheme}://{f'[{host}]' if ':' in host else host}:{port}"
 
 
 def port_error(kind: str, host: str, port: int, error: Exception) -> ConnectError:
-    """Return the error for a port that can't be opened, with the reason."""
+    """Return a ConnectError with the reason why a port cannot be opened."""
     host = host or repr(host)
     if isinstance(error, OSError) and error.errno == errno.EADDRINUSE:
         return ConnectError(f"{kind} port {port} of {host} is in use: choose another, or 0 for any free one")

@@ -1,4 +1,4 @@
-"""Files that one program writes at a time."""
+"""Locks files, so that only one program at a time writes them."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ import sys
 
 
 def lock_file(descriptor: int) -> None:
-    """Lock an open file against other programs until it is closed. On Windows nothing is locked.
+    """Lock an open file against other programs until it is closed; on Windows, do nothing.
 
     Raises:
-        BlockingIOError: where another program has locked it.
-        OSError: where its file system has no locks.
+        BlockingIOError: if another program has locked the file.
+        OSError: if the file system does not support locks.
     """
     if sys.platform != "win32":
         import fcntl

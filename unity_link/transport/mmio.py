@@ -1,7 +1,7 @@
 """``mmio:/dev/uio0``, ``mmio:FILE``: a bus that is mapped into memory, without frames and without a gateway.
 
-What can be mapped is a device of UIO, a BAR of PCIe (``/sys/bus/pci/devices/.../resource0``), physical memory
-(``/dev/mem``), or a file that programs share.
+The file may be a UIO device, a PCIe BAR (``/sys/bus/pci/devices/.../resource0``), physical memory (``/dev/mem``), or a
+file that programs share.
 """
 
 from __future__ import annotations
@@ -23,11 +23,12 @@ if TYPE_CHECKING:
 
 OPTIONS = frozenset({"offset", "size", "uio_map", "data_bits", "base_frequency_millihertz"})
 UIO = Path("/sys/class/uio")
-"""Folder in which Linux lists what the devices of UIO map."""
+"""Folder in which Linux lists the mappings of UIO devices."""
 _FORMATS: dict[int, Literal["B", "H", "I", "Q"]] = {8: "B", 16: "H", 32: "I", 64: "Q"}
-"""Format characters of `memoryview` by bits of a word: it makes one access for each, of that width."""
+"""Format of a `memoryview` for each width of a word in bits; an element is read or written by one access of this width.
+"""
 _BASE_MILLIHERTZ = 1_000_000
-"""A timer of the host is not much quicker."""
+"""Default base frequency of groups; timers of the host are not much faster than 1 kHz."""
 _NANOSECONDS = 1_000_000_000
 _MOST_ADDRESS_BITS = 32
 _FEATURES = (
@@ -41,17 +42,17 @@ _FEATURES = (
 
 
 class MappedBus:
-    """Words in memory.
+    """A bus that is mapped into memory.
 
     Args:
-        path: of what is mapped.
-        place: where in it.
-        info: what a link is to know of the bus.
+        path: path of the file.
+        place: part of the file to map.
+        info: configuration of the bus for a link.
     """
 
     def __init__(self, path: str, place: _Place, info: GatewayInfo) -> None:
         before = place.offset % mmap.ALLOCATIONGRANULARITY
-        # Physical memory would be cached without O_SYNC.
+        # Without O_SYNC, accesses to /dev/mem would be cached.
         descriptor = os.open(path, os.O_RDWR | os.O_SYNC | os.O_CLOEXEC)
         try:
             self._memory = mmap.mmap(descriptor, before + place.size, offset=place.offset - before)
@@ -59,11 +60,11 @@ class MappedBus:
             os.close(descriptor)
         self._bytes = memoryview(self._memory)[before : before + place.size]
         self.words = self._bytes.cast(_FORMATS[info.data_bits])
-        """The words by address: each access is one to the bus."""
+        """Words by address; each access to an element is one bus access."""
         self.info = info
 
     def close(self) -> None:
-        """Unmap it; `words` has none from now on."""
+        """Unmap the bus; `words` cannot be used any more."""
         self.words.release()
         self._bytes.release()
         self._memory.close()
@@ -71,16 +72,16 @@ class MappedBus:
 
 class _Place(NamedTuple):
     offset: int
-    """Bytes before it, as mmap(2) counts them."""
+    """Offset in the file in bytes, as for mmap(2)."""
     size: int
     """Size in bytes."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:  # noqa: ARG001  (as a driver's)
-    """Refuse, for what asks for a stream of frames.
+    """Raise an error, because mapped memory has no stream of frames.
 
     Raises:
-        ArgumentError: in any case.
+        ArgumentError: always.
     """
     raise ArgumentError(
         f"{url.text} is mapped memory and carries no frames, so it cannot be served, snooped or handed on: "
@@ -89,11 +90,11 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
 
 def open_bus(url: DriverUrl) -> MappedBus:
-    """Map what a URL names.
+    """Map the file of a URL.
 
     Raises:
-        ArgumentError: for a place or a width that cannot be.
-        ConnectError: where it cannot be mapped.
+        ArgumentError: if the offset, the size or the width of words is not possible.
+        ConnectError: if the file cannot be mapped.
     """
     if url.host or not url.path:
         raise ArgumentError(f"{url.text} names no file: mmio:/dev/uio0 or mmio:FILE was expected")
@@ -114,7 +115,7 @@ def open_bus(url: DriverUrl) -> MappedBus:
         )
         if info.address_bits > _MOST_ADDRESS_BITS:
             raise ArgumentError(
-                f"{place.size} bytes of {url.text} are more words than 32 address bits name: give size="
+                f"{place.size} bytes of {url.text} are more words than 32 address bits can address: give size="
             )
         try:
             return MappedBus(url.path, place, info)
@@ -130,11 +131,11 @@ def _base_frequency(url: DriverUrl) -> int:
 
 
 def _place(url: DriverUrl, word_bytes: int) -> _Place:
-    """Return which bytes are to be mapped.
+    """Return the part of the file to map.
 
     Raises:
-        ArgumentError: where a URL says what cannot be.
-        OSError: where there is no such file.
+        ArgumentError: if an option of the URL is not possible.
+        OSError: if the file does not exist.
     """
     for option in ("offset", "size"):
         value = url.integer(option, 0)
@@ -149,7 +150,9 @@ def _place(url: DriverUrl, word_bytes: int) -> _Place:
     size = url.integer("size", 0) if "size" in url.options else None
     if whole is None:
         if not size:
-            raise ArgumentError(f"{url.path} has no size of its own: say how many bytes to map, as in ?size=0x1000")
+            raise ArgumentError(
+                f"{url.path} has no size of its own: give the number of bytes to map, as in ?size=0x1000"
+            )
         return _Place(offset, size)
     left = max(0, whole.size - offset)
     if size is None:
@@ -161,31 +164,33 @@ def _place(url: DriverUrl, word_bytes: int) -> _Place:
 
 
 def _whole(url: DriverUrl, found: os.stat_result) -> _Place | None:
-    """Return all that there is to be mapped, None where a file does not tell."""
+    """Return the whole mapping of a file or UIO device; None for other devices, whose size is unknown."""
     mapping = url.integer("uio_map", 0)
     if stat.S_ISCHR(found.st_mode):
-        told = UIO / Path(url.path).resolve().name / "maps"
-        if told.is_dir():
-            return uio_place(told, mapping, url.path)
+        maps = UIO / Path(url.path).resolve().name / "maps"
+        if maps.is_dir():
+            return uio_place(maps, mapping, url.path)
     if "uio_map" in url.options:
-        raise ArgumentError(f"uio_map={mapping} in {url.text} is for devices of UIO, which {url.path} is none of")
+        raise ArgumentError(f"uio_map={mapping} in {url.text} is for UIO devices, and {url.path} is not one")
     return _Place(0, found.st_size) if stat.S_ISREG(found.st_mode) else None
 
 
-def uio_place(told: Path, mapping: int, path: str) -> _Place:
-    """Return a mapping of a device of UIO: mmap(2) is told its number in pages (Linux, "The Userspace I/O HOWTO").
+def uio_place(maps: Path, mapping: int, path: str) -> _Place:
+    """Return a mapping of a UIO device.
+
+    The offset for mmap(2) is the number of the mapping times the page size (Linux, "The Userspace I/O HOWTO").
 
     Args:
-        told: the folder in which Linux tells of the device's mappings.
-        mapping: the number of one.
-        path: of the device, for messages.
+        maps: the folder in which Linux lists the device's mappings.
+        mapping: number of the mapping.
+        path: path of the device, for messages.
 
     Raises:
-        ArgumentError: where there is no such mapping.
+        ArgumentError: if the device does not have this mapping.
     """
-    one = told / f"map{mapping}"
+    one = maps / f"map{mapping}"
     if not one.is_dir():
-        there = ", ".join(sorted(folder.name.removeprefix("map") for folder in told.iterdir())) or "none"
+        there = ", ".join(sorted(folder.name.removeprefix("map") for folder in maps.iterdir())) or "none"
         raise ArgumentError(f"{path} has no mapping {mapping}: there is {there}")
     size, offset = (int((one / name).read_text(), 0) for name in ("size", "offset"))
     return _Place(mapping * mmap.PAGESIZE + offset, size)

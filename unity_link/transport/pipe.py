@@ -1,4 +1,4 @@
-"""Two ends of a connection in this process, with a buffer in each direction and flow control as a socket has them."""
+"""A connection within this process: two ends with a buffer in each direction, and flow control like that of sockets."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class PipeEnd(BufferedTransport):
-    """End of a pipe that one protocol writes to; the other end's protocol gets it in the next turn of the loop."""
+    """One end of a connection; written bytes reach the other end's protocol in the next turn of the event loop."""
 
     peer: PipeEnd
 
@@ -29,23 +29,23 @@ class PipeEnd(BufferedTransport):
         self._plan_delivery()
 
     def get_write_buffer_size(self) -> int:
-        """Return how many bytes the other end has not taken yet."""
+        """Return the number of bytes that the other end has not received yet."""
         return len(self._out)
 
     def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
-        """Keep the limits that every transport of this package has."""
+        """Do nothing: all transports of this package have the same limits."""
 
     def resume_reading(self) -> None:
-        """Deliver again."""
+        """Deliver received bytes again."""
         self._reading = True
         self.peer._plan_delivery()  # noqa: SLF001  (they are two halves of one thing)
 
     def close(self) -> None:
-        """End both ends at once; what was not delivered is lost."""
+        """Close both ends at once, and drop undelivered bytes."""
         self.abort()
 
     def abort(self) -> None:
-        """End both ends at once; what was not delivered is lost."""
+        """Close both ends at once, and drop undelivered bytes."""
         self._end()
         self.peer._end()  # noqa: SLF001
 
@@ -69,7 +69,7 @@ class PipeEnd(BufferedTransport):
 
 
 def connect_pipe(one: PipeEnd, other: PipeEnd) -> None:
-    """Connect two ends, and tell their protocols."""
+    """Connect two ends, and call `connection_made` of their protocols."""
     one.peer, other.peer = other, one
     for end in (one, other):
         end.get_protocol().connection_made(end)

@@ -1,4 +1,4 @@
-"""Waiting for file descriptors without an event loop, and when it is worth not to sleep meanwhile."""
+"""Waits for file descriptors without an event loop; spins before sleeping if answers usually arrive quickly."""
 
 from __future__ import annotations
 
@@ -16,39 +16,40 @@ if TYPE_CHECKING:
 
 READABLE, WRITABLE = selectors.EVENT_READ, selectors.EVENT_WRITE
 SPIN = 100e-6
-"""Seconds of looking for what is ready before sleeping.
+"""Seconds of polling before sleeping.
 
-A processor that has gone to sleep for a wait takes 10 to 50 µs to go on, which is as long as a quick gateway takes to
-answer. With 30 µs, waits of the benchmark are now shorter, now longer than that.
+A sleeping processor takes 10 to 50 µs to wake, which is as long as a quick gateway takes to answer. 30 µs would be too
+short: some waits of the benchmark take longer.
 """
 LONGEST_SLEEP = 1e6
-"""Seconds that a selector can be given, at most: systems count milliseconds in 32 bits."""
+"""Longest timeout of a selector in seconds, because systems count milliseconds in 32 bits."""
 REMEMBERED_WAITS = 8
-"""Number of longer waits in a row after which a medium counts as slow."""
+"""Number of consecutive waits longer than `SPIN` after which spinning stops."""
 
 
 def count_processors() -> int:
-    """Return how many processors this process may run on."""
+    """Return the number of processors on which this process may run."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 class Spinning:
-    """True to spin: to look again and again instead of sleeping.
+    """Decides whether to spin: to poll repeatedly instead of sleeping.
 
-    It is worth it where one of the last waits was shorter than `SPIN`. The first wait finds out, for a medium may be
-    that quick only where nobody sleeps. On a single processor, spinning would keep the other side from running.
+    Spinning is useful if one of the last waits was shorter than `SPIN`. The first wait always spins, because a medium
+    may be that quick only if neither side sleeps. On a single processor spinning is off: it would keep the other
+    program from running.
 
     Args:
-        processors: how many there are; None: on which this process may run.
+        processors: number of processors; None for the number on which this process may run.
     """
 
     def __init__(self, processors: int | None = None) -> None:
         self._most = REMEMBERED_WAITS if (processors or count_processors()) > 1 else 0
         self.left = min(1, self._most)
-        """Number of further waits that spin, if none of them is short."""
+        """Number of further waits that will spin even if none of them is short."""
 
     def record(self, seconds: float) -> None:
-        """Record how long a wait took."""
+        """Record the duration of a wait."""
         if seconds < SPIN:
             self.left = self._most
         elif self.left:
@@ -59,34 +60,38 @@ class Selector(Protocol):
     """Waits for file descriptors."""
 
     def register(self, descriptor: int, events: int) -> None:
-        """Wait for some of `READABLE` and `WRITABLE` from now on, in place of others of the same descriptor."""
+        """Wait for `READABLE`, `WRITABLE` or both of a descriptor from now on, instead of its earlier events."""
 
     def unregister(self, descriptor: int) -> None:
-        """Wait for a descriptor no more."""
+        """Stop waiting for a descriptor."""
 
     def select(self, timeout: float | None) -> list[tuple[int, int]]:
-        """Return the descriptors that are ready, with their events, once there are some; None: without a limit."""
+        """Wait until descriptors are ready, and return them with their events.
+
+        Args:
+            timeout: time limit in seconds; None for no limit.
+        """
 
     def close(self) -> None:
-        """End it."""
+        """Close the selector."""
 
 
 class PortableSelector:
-    """The best selector of the system."""
+    """The standard library's best selector for this system."""
 
     def __init__(self) -> None:
         self._selector = selectors.DefaultSelector()
         self.close = self._selector.close
 
     def register(self, descriptor: int, events: int) -> None:
-        """Wait for some of `READABLE` and `WRITABLE` from now on."""
+        """Wait for `READABLE`, `WRITABLE` or both of a descriptor from now on."""
         try:
             self._selector.modify(descriptor, events)
         except KeyError:
             self._selector.register(descriptor, events)
 
     def unregister(self, descriptor: int) -> None:
-        """Wait for a descriptor no more."""
+        """Stop waiting for a descriptor."""
         self._selector.unregister(descriptor)
 
     def select(self, timeout: float | None) -> list[tuple[int, int]]:
@@ -97,17 +102,16 @@ class PortableSelector:
 if sys.platform == "linux":
 
     class EpollSelector:
-        """epoll of Linux, in half the time of the standard library's selector.
+        """Linux' epoll, used directly: it takes half the time of the standard library's selector.
 
-        ``poll`` on a terminal has the kernel first deliver what is on its way there, which takes the longer the more
-        often it is called.
+        ``poll`` would be slower on a terminal: each call makes the kernel deliver pending input first.
         """
 
         _EVENTS = tuple(
             (READABLE if event & ~select.EPOLLOUT else 0) | (WRITABLE if event & ~select.EPOLLIN else 0)
             for event in range(2 * select.EPOLLHUP)
         )
-        """Events of this module by those of epoll, in which an error makes a descriptor ready for both."""
+        """Events of this module for each combination of epoll's; an error makes a descriptor readable and writable."""
 
         def __init__(self) -> None:
             self._epoll = select.epoll()
@@ -115,7 +119,7 @@ if sys.platform == "linux":
             self.close = self._epoll.close
 
         def register(self, descriptor: int, events: int) -> None:
-            """Wait for some of `READABLE` and `WRITABLE` from now on."""
+            """Wait for `READABLE`, `WRITABLE` or both of a descriptor from now on."""
             wanted = (select.EPOLLIN if events & READABLE else 0) | (select.EPOLLOUT if events & WRITABLE else 0)
             try:
                 self._epoll.modify(descriptor, wanted)
@@ -123,7 +127,7 @@ if sys.platform == "linux":
                 self._epoll.register(descriptor, wanted)
 
         def unregister(self, descriptor: int) -> None:
-            """Wait for a descriptor no more, also if it is closed."""
+            """Stop waiting for a descriptor, which may be closed already."""
             with contextlib.suppress(OSError):
                 self._epoll.unregister(descriptor)
 
@@ -138,7 +142,7 @@ else:
 
 
 class Poller:
-    """Waits for file descriptors, and may spin first, for at most `SPIN`."""
+    """Waits for file descriptors, and optionally spins for at most `SPIN` seconds before it sleeps."""
 
     def __init__(
         self,
@@ -155,9 +159,11 @@ class Poller:
         self.close = self._selector.close
 
     def wait(self, patience: float, *, may_spin: bool) -> list[tuple[int, int]]:
-        """Return the descriptors that are ready, with their events, once there are some or so many seconds are over.
+        """Wait until descriptors are ready, and return them with their events; an empty list after the time limit.
 
-        A wait of days may end earlier.
+        Args:
+            patience: time limit in seconds. A wait of days may end earlier.
+            may_spin: True if the wait may spin.
         """
         clock, select, spinning = self._clock, self._select, self._spinning
         begin = clock()

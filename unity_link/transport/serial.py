@@ -1,15 +1,14 @@
 """``serial:/dev/ttyUSB0?baud=12000000``: a serial port, USB adapter or pseudo-terminal.
 
-Built on pyserial-asyncio-fast, the kept fork of pyserial-asyncio: it tries each write at once instead of waiting for
-the port to become writable, which is one turn of the event loop less on every request. ``library=pyserial-asyncio``
-chooses the original. What a fast link needs and a terminal does not is put into the port that either is given, and not
-into its transport:
+The transport is that of pyserial-asyncio-fast, the maintained fork of pyserial-asyncio. The fork writes at once instead
+of waiting until the port is writable, which saves one turn of the event loop for each request.
+``library=pyserial-asyncio`` selects the original. `SerialPort` adapts pyserial's port to fast links, for both
+libraries:
 
-- a write is one system call that takes what fits (pyserial's tries for ever while a port is full, and
-  the loop with it);
-- a read is one system call of up to 64 KiB (pyserial's are two calls, and the libraries ask for 1 KiB);
-- closing leaves it to the operating system to send what it has taken (the original would have the loop wait for it);
-- a port that was unplugged is a lost connection, not a report to the loop's exception handler.
+- a write is one system call, which may write a part of the bytes (pyserial blocks the event loop while a port is full);
+- a read is one system call of up to 64 KiB (pyserial makes two calls, and the libraries read 1 KiB);
+- closing does not wait until all bytes are sent: the operating system sends the rest (pyserial blocks the loop);
+- an unplugged port ends the connection, and is not reported to the loop's exception handler.
 """
 
 from __future__ import annotations
@@ -43,42 +42,42 @@ OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
 NODES_SHARE = True
 DEFAULTS = {"baud": str(DEFAULT_BAUD), "rtscts": "0"}
-"""Values of the port's options where none are given."""
+"""Default values of the port's options."""
 _MOST_BAUD = (1 << 31) - 1
-"""Largest baud rate that the system can hold."""
+"""Largest baud rate that the system can represent."""
 _BITS = 10
-"""Bits of a byte, with start and stop bit."""
+"""Bits on the line for each byte, including start and stop bit."""
 DEFAULT_LIBRARY = "pyserial-asyncio-fast"
 LIBRARIES = {DEFAULT_LIBRARY: "serial_asyncio_fast", "pyserial-asyncio": "serial_asyncio"}
-"""The module of each package that joins pyserial to asyncio."""
+"""Module of each package that connects pyserial to asyncio."""
 _PSEUDO_TERMINALS = range(136, 144)
-"""Major numbers of their device files on Linux."""
+"""Major device numbers of pseudo-terminals on Linux."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Open a serial port for this program alone."""
+    """Open a serial port exclusively."""
     make_transport = _transport_class(_library(url))
     port = _open(url)
     loop = asyncio.get_running_loop()
     transport: asyncio.Transport = make_transport(loop, protocol, port)
     port.on_failure = functools.partial(loop.call_soon, _give_up, transport)
     if _library(url) == DEFAULT_LIBRARY:
-        # The fork (0.16) goes on watching for writability when all is written, and then fails in every turn of the
-        # loop. Its public `flush` ends the watching.
+        # The fork (0.16) keeps its writer registered after all bytes are written, and then fails in each turn of the
+        # loop. Its public method `flush` removes the writer.
         port.on_drained = transport.flush  # type: ignore[attr-defined]  # asyncio's has none
-    # It tells the protocol in the next turn of the loop only, and until then there is nothing to write to.
+    # The library calls `connection_made` in the next turn of the loop; the port accepts writes only after that.
     await asyncio.sleep(0)
     return transport
 
 
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (a port opens at once)
-    """Open a serial port for this program alone, without an event loop."""
+    """Open a serial port exclusively, without an event loop."""
     _library(url)
     return PortChannel(_open(url))
 
 
 if sys.platform == "win32":
-    # A port is nothing there that a thread can wait for beside others: an event loop has it.
+    # On Windows a thread cannot wait for a port and other events at the same time, so an event loop must open it.
     del open_channel
 
 
@@ -119,7 +118,7 @@ def _transport_class(library: str) -> Any:
         raise ConnectError(f"{library} is not installed here: pip install 'unity-link[{library}]'") from None
 
     class PortTransport(module.SerialTransport):  # type: ignore[misc, name-defined]  # it is not known before
-        """The library's transport, which also tells how soon a pseudo-terminal answers, and sets the port again."""
+        """The library's transport, with `set_again` and, for a pseudo-terminal, `shortest_timeout` as extra info."""
 
         def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: SerialPort) -> None:
             super().__init__(loop, protocol, port)
@@ -128,7 +127,7 @@ def _transport_class(library: str) -> Any:
                 self._told["shortest_timeout"] = QUICK_TIMEOUT
 
         def get_extra_info(self, name: str, default: Any = None) -> Any:
-            """Return what is known of the port."""
+            """Return information about the port."""
             return self._told.get(name, super().get_extra_info(name, default))
 
     return PortTransport
@@ -146,7 +145,7 @@ def _explain(path: str, error: Exception) -> str:
 
 
 def _settings_of(port: serial.Serial) -> list[Any]:
-    """Return what a terminal is set to; nothing where the system has no terminals, or the port is gone."""
+    """Return the settings of a terminal; an empty list if the system has no terminals or the port is lost."""
     if sys.platform == "win32" or port.fd is None:
         return []
     try:
@@ -156,26 +155,26 @@ def _settings_of(port: serial.Serial) -> list[Any]:
 
 
 class SerialPort(serial.Serial):
-    """A port that takes and gives at once what it can."""
+    """A port whose reads and writes never block."""
 
     on_drained: Callable[[], None] | None = None
-    """Is called where a write took everything after one that did not."""
+    """Is called by the first complete write after an incomplete one."""
     on_failure: Callable[[], object] | None = None
-    """Is called where a write has failed."""
+    """Is called if a write fails."""
     _short = False
 
     def keep_settings(self) -> None:
-        """Remember the settings of the port, for `set_again`."""
+        """Store the settings of the port for `set_again`."""
         self._settings = _settings_of(self)
 
     def set_again(self) -> None:
-        """Set the port as it was opened where another program has set it otherwise since, as ``stty sane`` does."""
+        """Restore the settings of the port if another program has changed them, as ``stty sane`` does."""
         if _settings_of(self) in ([], self._settings):
             return
         log.warning("%s: another program has changed the settings of the port; they are set again", self.port)
         try:
             termios.tcsetattr(self, termios.TCSANOW, self._settings)
-            # Sets a speed that termios has no number for.
+            # Assigning the rate sets it again: termios has no constants for some rates.
             self.baudrate = self.baudrate
             termios.tcflush(self, termios.TCIFLUSH)
         except (OSError, termios.error, serial.SerialException) as error:
@@ -183,14 +182,14 @@ class SerialPort(serial.Serial):
 
     @property
     def is_pseudo_terminal(self) -> bool:
-        """Return whether another program is the other end."""
+        """Return True if the port is a pseudo-terminal, whose other end is another program."""
         return os.major(os.fstat(self.fileno()).st_rdev) in _PSEUDO_TERMINALS
 
     def read(self, size: int = 1, /) -> bytes:  # noqa: ARG002  (more than the libraries ask for is welcome to them)
-        """Return all that has come.
+        """Return all received bytes.
 
         Raises:
-            SerialException: where the port is gone.
+            SerialException: if the port is lost.
         """
         assert self.fd is not None
         try:
@@ -204,7 +203,7 @@ class SerialPort(serial.Serial):
         return data
 
     def write(self, data: Any, /) -> int:
-        """Write what fits; raises BlockingIOError where nothing does."""
+        """Write as many bytes as the port accepts, and return their number; BlockingIOError if it accepts none."""
         assert self.fd is not None
         try:
             written = os.write(self.fd, data)
@@ -212,7 +211,7 @@ class SerialPort(serial.Serial):
             self._short = True
             raise
         except OSError:
-            # To raise it would have the library report it to the loop.
+            # Do not raise the error: the library would report it to the loop's exception handler.
             if self.on_failure is not None:
                 self.on_failure()
             return len(data)
@@ -225,7 +224,7 @@ class SerialPort(serial.Serial):
         return written
 
     def flush(self) -> None:
-        """Leave what the operating system has taken to it."""
+        """Do nothing: the operating system sends the bytes that it has buffered."""
 
 
 class PortChannel:
@@ -243,12 +242,12 @@ class PortChannel:
         return self._descriptor
 
     def read(self) -> bytes:
-        """Return what has come."""
+        """Return the received bytes."""
         data = os.read(self._descriptor, LARGEST_READ)
         if not data and has_ended(self._descriptor):
             raise EOFError
         return data
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
-        """Write what fits."""
+        """Write as many bytes as the port accepts, and return their number."""
         return os.write(self._descriptor, data)

@@ -1,8 +1,8 @@
-"""One port, a link for each node: what `connect` opens for a URL with ``node=`` on a medium with a file descriptor.
+"""Shares a port with a file descriptor between the links to several nodes (``node=`` in a URL).
 
-The links of a program that name the same port share it by themselves. Who has the turn has the port: it alone writes
-and reads, in its own thread or event loop, so that sharing costs no change of threads. What arrives between two turns
-is nobody's, and is dropped. The port is closed with the last link, and lost to all where it is lost to one.
+Links of a program whose URLs name the same port share it automatically. Only the link with the current slot reads and
+writes, in its own thread or event loop, so that sharing needs no further thread. Bytes that arrive between two slots
+are dropped. The port is closed with its last link. If one link finds the port lost, all of its links are lost.
 """
 
 from __future__ import annotations
@@ -24,32 +24,33 @@ if TYPE_CHECKING:
     from unity_link.transport.url import DriverUrl
 
 _OWN_OPTIONS = frozenset({"node", "snoop", "library"})
-"""Options that are no matter of the port."""
+"""Options that may differ between links on the same port."""
 _PORTS: dict[tuple[Any, ...], SharedPort] = {}
+"""Open ports, by scheme, host, port and path."""
 _OWED: dict[tuple[Any, ...], float] = {}
-"""Until when an answer may come on a port that was closed."""
+"""Time until which a late answer may arrive on a port that was closed."""
 _LOCK = threading.Lock()
 _READS_OF_ALL = 16
-"""Reads that take all that a port holds: Linux keeps up to 64 KiB of a terminal, and gives 4,095 bytes at a time."""
+"""Number of reads that empty a port: Linux buffers up to 64 KiB of a terminal, and returns 4,095 bytes at a time."""
 
 
 class SharedPort:
-    """A medium that is open once, for all links of this process."""
+    """A medium that is open once for all links of this process."""
 
     def __init__(self, key: tuple[Any, ...], url: DriverUrl, settings: Mapping[str, str]) -> None:
         self.key = key
         self.text = url.text
         self.settings = settings
         self.opening = threading.Lock()
-        """Held while it is being opened, which may take its time."""
+        """Lock that is held while the port is being opened, which may be slow."""
         self.channel: Channel | None = None
         self.over = False
-        """True if it was closed, or could not be opened."""
+        """True if the port was closed, or could not be opened."""
         self.line = Line(_without_node(url), free_at=_OWED.pop(key, float("-inf")))
         self.users: set[SharedChannel] = set()
 
     def end(self) -> None:
-        """Close it; the next link opens it anew."""
+        """Close the port; the next link opens it again."""
         self.over = True
         if _PORTS.get(self.key) is self:
             del _PORTS[self.key]
@@ -65,17 +66,17 @@ def open_shared(
     open_alone: Callable[[], Channel],
     is_given_up: Callable[[], bool] = lambda: False,
 ) -> SharedChannel:
-    """Return a link's part of a port, which is opened if it is not open.
+    """Return a link's part of a port; open the port if it is not open.
 
     Args:
-        url: names port and node.
-        settings: options of the URL, with the driver's defaults for those that it leaves out.
+        url: URL with the port and the node.
+        settings: options of the URL, and the driver's defaults for the others.
         open_alone: opens the port.
-        is_given_up: whether nobody waits for the link any more: then the node is left to the next who asks for it.
+        is_given_up: returns True once the caller no longer waits; the node is then free for another link.
 
     Raises:
-        ArgumentError: where the port is open with other settings.
-        ConnectError: where it can't be opened, or the node has a link already.
+        ArgumentError: if the port is open with other settings.
+        ConnectError: if the port cannot be opened, or the node has a link already.
     """
     assert url.node is not None
     of_port = {name: value for name, value in settings.items() if name not in _OWN_OPTIONS}
@@ -99,9 +100,7 @@ def open_shared(
                     port.end()
                 raise ConnectError("it was given up")
             if port.settings != of_port:
-                raise ArgumentError(
-                    f"{url.text}: this program has opened the port as {port.text}, so with other options"
-                )
+                raise ArgumentError(f"{url.text}: this program has opened the port as {port.text}, with other options")
             return SharedChannel(port, port.line.join(url.node))
 
 
@@ -110,7 +109,7 @@ def _without_node(url: DriverUrl) -> str:
 
 
 class SharedChannel:
-    """A link's part of a port: a channel that is written to and read in the link's turn."""
+    """A link's part of a port: a channel that can be used in the link's slots."""
 
     def __init__(self, port: SharedPort, seat: Seat) -> None:
         assert port.channel is not None
@@ -119,9 +118,9 @@ class SharedChannel:
         self.byte_time: float | None = getattr(port.channel, "byte_time", None)
         self.set_again: Callable[[], None] | None = getattr(port.channel, "set_again", None)
         self.on_lost: Callable[[], object] = lambda: None
-        """Is called, in any thread, when another link has found that the port is lost."""
+        """Is called in any thread when another link finds that the port is lost."""
         self._port = port
-        # A number of its own: each thread and event loop waits for it apart from the others.
+        # A duplicate of the descriptor, so that each thread or event loop can poll the port by itself.
         self._descriptor = os.dup(port.channel.fileno())
         port.users.add(self)
 
@@ -130,27 +129,30 @@ class SharedChannel:
         return self._descriptor
 
     def read(self) -> bytes:
-        """Return what has come in this link's turn."""
+        """Return the received bytes; outside of the link's slot, drop them."""
         data = os.read(self._descriptor, LARGEST_READ)
         if not data and has_ended(self._descriptor):
             raise EOFError
         return data if self.seat.has_turn else b""
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
-        """Write what fits; where the turn is over, nothing is, as if the line had lost it."""
+        """Write as many bytes as the port accepts, and return their number.
+
+        Outside of the link's slot the bytes are dropped, as if they were lost on the line.
+        """
         if not self.seat.has_turn:
             return len(data)
         return os.write(self._descriptor, data)
 
     def drop_input(self) -> None:
-        """Drop what has come between two turns."""
+        """Drop the bytes that arrived between two slots."""
         with contextlib.suppress(OSError):
             for _ in range(_READS_OF_ALL):
                 if not os.read(self._descriptor, LARGEST_READ):
                     return
 
     def lose(self) -> None:
-        """Record that the port is lost, to all links."""
+        """Close the port after an error, and notify the other links."""
         with _LOCK:
             if self not in self._port.users:
                 return
@@ -160,7 +162,7 @@ class SharedChannel:
             user.on_lost()
 
     def close(self) -> None:
-        """Release this part of the port; the last one to do so closes it."""
+        """Release this part of the port; the last part closes the port."""
         with _LOCK:
             if self not in self._port.users:
                 return

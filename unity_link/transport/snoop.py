@@ -1,7 +1,7 @@
-"""Snoops: files with all bytes of a connection and their times, and how they are read.
+"""Writes and reads snoops: files with all bytes of connections and their times.
 
-A record is one write to the operating system, so that whatever ends the program, every record before is whole in the
-file. A file is of one program at a time, and may hold many connections of it; a program that opens one again appends.
+Each record is written by one system call, so that earlier records are complete even if the program is killed. Only one
+program at a time writes a snoop. A snoop may hold several connections; a program that opens an existing snoop appends.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ log = logging.getLogger("unity_link.snoop")
 
 
 class Snoop:
-    """A file that is written.
+    """A snoop that is being written.
 
     Args:
-        path: of the file.
+        path: path of the file.
 
     Raises:
-        ArgumentError: where it cannot be made, is of something else, or another program writes to it.
+        ArgumentError: if the file cannot be created, is not a snoop, or is being written by another program.
     """
 
-    _open: dict[Path, Snoop] = {}  # noqa: RUF012  (of the class: those of this process)
+    _open: dict[Path, Snoop] = {}  # noqa: RUF012  (shared: all snoops of this process)
     _opening = threading.Lock()
 
     def __init__(self, path: Path) -> None:
@@ -57,10 +57,10 @@ class Snoop:
 
     @classmethod
     def at(cls, name: str) -> Snoop:
-        """Return the snoop of a path, which this process may be writing already.
+        """Return the snoop of a path; open it if this process does not have it open.
 
         Raises:
-            ArgumentError: as the class.
+            ArgumentError: as for the class.
         """
         path = Path(name).absolute()
         with cls._opening:
@@ -73,7 +73,7 @@ class Snoop:
 
     @property
     def is_there(self) -> bool:
-        """Return whether the file is still what its path leads to, and is written."""
+        """True if the snoop is open and its path still refers to the same file."""
         if self._file is None:
             return False
         try:
@@ -82,14 +82,14 @@ class Snoop:
             return False
 
     def connection(self, name: str) -> int:
-        """Begin a connection, and return its number."""
+        """Append the beginning of a connection, and return the connection's number."""
         with self._lock:
             self._write(pcapng.interface(name))
             self._interfaces += 1
             return self._interfaces - 1
 
     def write(self, packet: Packet) -> None:
-        """Append what passed."""
+        """Append bytes that were sent or received."""
         self._write(pcapng.packet(packet))
 
     def end(self, connection: int, time_ns: int, why: str) -> None:
@@ -97,7 +97,7 @@ class Snoop:
         self._write(pcapng.ending(connection, time_ns, why))
 
     def close(self) -> None:
-        """Write no more."""
+        """Close the file; later records are ignored."""
         file, self._file = self._file, None
         if file is not None:
             os.close(file)
@@ -115,7 +115,7 @@ class Snoop:
         self._write(pcapng.section())
 
     def _write(self, block: bytes) -> None:
-        """Append a block whole, or stop: a link does not end because its snoop does."""
+        """Append a block; after an error close the snoop with a warning, because the link must go on."""
         if self._file is None:
             return
         try:
@@ -127,21 +127,21 @@ class Snoop:
 
 
 def _open(path: Path) -> int:
-    """Open a file to append to, which is made where there is none; a link that leads nowhere makes none elsewhere."""
-    # Nonblocking, for a pipe without a reader would wait for one.
+    """Open a file for appending, and create it if it does not exist, but not through a dangling symbolic link."""
+    # Nonblocking: otherwise opening a pipe would wait for a reader.
     flags = os.O_RDWR | os.O_APPEND | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NONBLOCK", 0)
     try:
         return os.open(path, flags)
     except FileNotFoundError:
-        # Another program may make it in the same instant.
+        # Another program may create the file at the same time.
         return os.open(path, flags | os.O_CREAT | (os.O_EXCL if path.is_symlink() else 0), 0o666)
 
 
 def _mend(file: int, path: Path) -> None:
-    """See that a file is a snoop and ends with a whole block, and cut off what a crash has left of one.
+    """Check that a file is a snoop, and truncate it after its last complete block.
 
     Raises:
-        ArgumentError: where it is no snoop, or something else stands behind its last whole block; it stays as it is.
+        ArgumentError: if the file is not a snoop, or other data follow its last complete block; the file is unchanged.
     """
     with mmap.mmap(file, 0, access=mmap.ACCESS_READ) as data:
         try:
@@ -149,9 +149,9 @@ def _mend(file: int, path: Path) -> None:
             size = len(data)
             whole = size if pcapng.ends_whole(data) else pcapng.length_of_whole(data)
             if not pcapng.is_begun(data[whole : whole + pcapng.LARGEST_BLOCK + 1]):
-                raise DamagedFileError(whole, "it goes on as no snoop does")
+                raise DamagedFileError(whole, "these bytes are not a record of a snoop")
         except ValueError as error:
-            raise ArgumentError(f"{path} is there, and no snoop to append to ({error}): choose another name") from None
+            raise ArgumentError(f"{path} exists, and is no snoop to append to ({error}): choose another name") from None
     if whole < size:
         log.warning("the last record of the snoop %s was cut, and is left out", path)
         os.ftruncate(file, whole)
@@ -161,15 +161,15 @@ def _mend(file: int, path: Path) -> None:
 
 
 class Connected(NamedTuple):
-    """Event: a connection was begun."""
+    """Event: a connection began."""
 
     connection: int
-    """Counted over the whole file, from 0."""
+    """Number of the connection in the file, from 0."""
     name: str
 
 
 class Passed(NamedTuple):
-    """Event: bytes passed."""
+    """Event: bytes were sent or received."""
 
     connection: int
     time_ns: int
@@ -186,26 +186,28 @@ class Disconnected(NamedTuple):
 
 
 def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Passed | Disconnected]:
-    """Return what a snoop holds, in its order.
+    """Yield the events of a snoop in order.
 
     Args:
-        path: of the file.
-        damage: is given a sentence where the file goes on as no snoop does; what was before has been returned.
+        path: path of the file.
+        damage: is called with a sentence at a damaged record; reading ends there.
 
     Raises:
-        ArgumentError: if it is no snoop.
-        UnityLinkError: if it cannot be read.
+        ArgumentError: if the file is not a snoop.
+        UnityLinkError: if the file cannot be read.
     """
     try:
         with path.open("rb") as file:
             if not file.read(len(pcapng.SECTION_START)) == pcapng.SECTION_START:
-                raise ArgumentError(f"{path} is no snoop: one that ?snoop=FILE or UNITY_LINK_SNOOP wrote was expected")
+                raise ArgumentError(
+                    f"{path} is no snoop: a file written by ?snoop=FILE or UNITY_LINK_SNOOP was expected"
+                )
             with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
                 yield from _events(path, data)
     except OSError as error:
         raise UnityLinkError(f"{path} cannot be read: {error.strerror or error}") from error
     except DamagedFileError as error:
-        damage(f"{path}: {error}; what stands before was read")
+        damage(f"{path}: {error}; all records before it were read")
 
 
 def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Disconnected]:
@@ -237,13 +239,17 @@ def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Discon
 
 
 def _known(connection: int, connections: int) -> int:
-    """Return a connection that has begun; raises ValueError for another."""
+    """Return the number of a connection; raise ValueError if the connection did not begin before."""
     if connection >= connections:
         raise ValueError("a record of a connection that never began")
     return connection
 
 
 def now_ns(seconds: Callable[[], float]) -> Callable[[], int]:
-    """Return a clock in ns since 1970 that never goes back, driven by another one in seconds."""
+    """Return a clock in ns since 1970 that never goes back.
+
+    Args:
+        seconds: a monotonic clock in seconds, which drives the returned one.
+    """
     began, origin = time.time_ns(), seconds()
     return lambda: began + round((seconds() - origin) * 1e9)

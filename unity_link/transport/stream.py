@@ -1,7 +1,6 @@
-"""Layer 1, stream: what stands between a driver's transport and the messages.
+"""Layer 1, the stream between a driver's transport and the session.
 
-It hands on what arrives in whole reads, and holds back what is sent while the transport takes no bytes. It never looks
-into a frame.
+It passes on each read as a whole, and buffers sent bytes while the transport is paused. It does not parse frames.
 """
 
 from __future__ import annotations
@@ -21,53 +20,53 @@ if TYPE_CHECKING:
 
 
 class Receiver(Protocol):
-    """The reader of a stream."""
+    """Receives the bytes of a stream."""
 
     def receive(self, data: bytes) -> None:
-        """Take what has arrived, cut anywhere."""
+        """Process received bytes; frames may be divided anywhere."""
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Record that the stream has ended; `reason` is None where the other side closed it."""
+        """Process the end of the stream; `reason` is None if the other side closed it."""
 
 
 class Ended(Awaitable[Any], Protocol):
-    """Awaitable of the end of a stream: an `asyncio.Future`, or what stands for it where no event loop is."""
+    """A future for the end of a stream: an `asyncio.Future`, or its replacement without an event loop."""
 
     def done(self) -> bool:
-        """Return whether it is over."""
+        """Return True if the result is set."""
 
     def set_result(self, result: None, /) -> None:
-        """Resume the awaiting call."""
+        """Set the result, which resumes the awaiting call."""
 
 
 class Stream(asyncio.Protocol):
     """One connection of a driver.
 
-    `receiver` may be replaced at any time; what arrives while it is None is dropped.
+    `receiver` may be replaced at any time; bytes that arrive while it is None are dropped.
 
     Args:
-        create_future: makes what `close` awaits; None: the event loop that is running.
+        create_future: creates the futures that `close` awaits; None for those of the running event loop.
     """
 
     def __init__(self, create_future: Callable[[], Ended] | None = None) -> None:
         self.receiver: Receiver | None = None
         self.on_pause: Callable[[], None] | None = None
-        """Is called when `paused` has changed."""
+        """Is called after `paused` has changed."""
         self.bytes_received = 0
         self.bytes_sent = 0
         self.closed = False
         self._transport: asyncio.Transport | None = None
         self._create_future = create_future or asyncio.get_running_loop().create_future
         self._closings: list[Ended] = []
-        """Waiters of calls of `close`."""
+        """A future for each pending call of `close`."""
         self._held_back: list[bytes] = []
         self.paused = False
-        """True if the transport has asked for no more bytes: what is sent now is held back here."""
+        """True while the transport is paused; sent bytes are buffered."""
 
     # Called by users of the stream
 
     def send(self, data: bytes) -> None:
-        """Send as soon as the transport takes bytes; what is sent when the connection has ended is dropped."""
+        """Send bytes, or buffer them while the transport is paused; drop them if the connection has ended."""
         if self.paused:
             self._held_back.append(data)
         elif self._transport is not None and not self.closed:
@@ -76,7 +75,10 @@ class Stream(asyncio.Protocol):
 
     @property
     def shortest_timeout(self) -> float:
-        """Seconds that the medium may hold an answer back, and some more; what is unknown is as slow as a USB chip."""
+        """Lower limit of the retransmission timeout in seconds.
+
+        This is the time that the medium may delay an answer, and a margin; that of a USB chip if the medium is unknown.
+        """
         if self._transport is None:
             return SHORTEST_TIMEOUT
         is_socket = self._transport.get_extra_info("socket") is not None
@@ -85,63 +87,63 @@ class Stream(asyncio.Protocol):
 
     @property
     def longest_try(self) -> float:
-        """Seconds after which a question without an answer is asked again, at most; infinite where none are told."""
+        """Upper limit in seconds of the time between two tries of the handshake; infinite if the medium has none."""
         known = None if self._transport is None else self._transport.get_extra_info("longest_try")
         return math.inf if known is None else float(known)
 
     @property
     def path(self) -> Path | None:
-        """The network of a medium that sends frames in datagrams, whose bytes arrive unchanged; None for others."""
+        """Network path of a medium that sends frames in datagrams; None for others. Datagrams arrive undamaged."""
         return None if self._transport is None else self._transport.get_extra_info("path")
 
     @property
     def byte_time(self) -> float | None:
-        """Seconds that a byte needs on the wire, None where that is not known."""
+        """Seconds that a byte takes on the wire; None if unknown."""
         return None if self._transport is None else self._transport.get_extra_info("byte_time")
 
     @property
     def seat(self) -> Seat | None:
-        """The link's place on a line on which nodes take turns, None where it is alone."""
+        """The link's seat on a line that it shares with other nodes; None if it does not share the line."""
         return None if self._transport is None else self._transport.get_extra_info("seat")
 
     @property
     def refusal(self) -> str:
-        """The reason why the bus at the other end refuses accesses; empty where the medium does not know it."""
+        """Reason why the bus at the other end refuses accesses; empty if unknown."""
         told = None if self._transport is None else self._transport.get_extra_info("refusal")
         return "" if told is None else told()
 
     def pause_reading(self) -> None:
-        """Leave what arrives in the medium, as far as there is room, until `resume_reading`."""
+        """Leave received bytes in the medium's buffers until `resume_reading`."""
         if self._transport is not None and not self._transport.is_closing():
             self._transport.pause_reading()
 
     def resume_reading(self) -> None:
-        """Deliver again what arrives."""
+        """Deliver received bytes again."""
         if self._transport is not None and not self._transport.is_closing():
             self._transport.resume_reading()
 
     async def close(self) -> None:
-        """End the connection and wait until it has ended."""
+        """Close the connection, and wait until it is closed."""
         self.abort()
         if self._transport is not None and not self.closed:
-            # One for each call: to cancel it ends no other.
+            # A future for each call, because cancelling one call must not cancel others.
             ended = self._create_future()
             self._closings.append(ended)
             await ended
 
     def abort(self) -> None:
-        """End the connection without waiting."""
+        """Close the connection without waiting."""
         if self._transport is not None and not self._transport.is_closing():
             self._transport.abort()
 
     def set_medium_again(self) -> None:
-        """Make the driver set its medium as it was opened, where another program has set it otherwise since."""
+        """Restore the settings of the medium through its driver if another program has changed them."""
         set_again = None if self._transport is None else self._transport.get_extra_info("set_again")
         if set_again is not None and not self.closed:
             set_again()
 
     async def choose_send_immediate(self, mode: str) -> None:
-        """Set the send-immediate mode of the driver, where its medium has one."""
+        """Set the send-immediate mode of the driver, if its medium has one."""
         choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
         if choose is not None and not self.closed:
             await choose(mode)
@@ -149,25 +151,25 @@ class Stream(asyncio.Protocol):
     # Called by the transport
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Keep the transport."""
-        # No check by class: the transports of uvloop are of none of asyncio's.
+        """Store the transport."""
+        # Do not check the class: uvloop's transports are not derived from asyncio's.
         self._transport = cast("asyncio.Transport", transport)
 
     def data_received(self, data: bytes) -> None:
-        """Hand on a whole read."""
+        """Pass received bytes to the receiver."""
         self.bytes_received += len(data)
         receiver = self.receiver
         if receiver is not None:
             receiver.receive(data)
 
     def pause_writing(self) -> None:
-        """Hold back what is sent from now on."""
+        """Buffer sent bytes from now on."""
         self.paused = True
         if self.on_pause is not None:
             self.on_pause()
 
     def resume_writing(self) -> None:
-        """Send what was held back."""
+        """Send the buffered bytes."""
         self.paused = False
         held_back = b"".join(self._held_back)
         self._held_back.clear()

@@ -1,6 +1,6 @@
-"""A tap between a driver and its protocol, whose observers are a snoop and the log of the frames.
+"""A tap between a driver and its protocol; its observers are a snoop and a log of frames.
 
-Only a connection for which one of them is wanted when it is opened has a tap.
+A connection has a tap only if one of these is enabled when the connection is opened.
 """
 
 from __future__ import annotations
@@ -23,26 +23,26 @@ if TYPE_CHECKING:
 
 
 class Observer(Protocol):
-    """Observer of all bytes that pass."""
+    """Observes all bytes of a connection."""
 
     def take(self, data: bytes, *, sent: bool) -> None:
-        """Take bytes of one direction."""
+        """Process bytes of one direction."""
 
     def end(self, why: str) -> None:
-        """Record that the connection has ended."""
+        """Process the end of the connection."""
 
 
 def tapped(protocol: asyncio.Protocol, name: str, snoop: str, *, logged: bool) -> Tap:
-    """Return a protocol that hands everything on to another one, and to what observes it.
+    """Return a tap in front of a protocol, with the selected observers.
 
     Args:
-        protocol: is connected to the medium through it.
-        name: of the medium, without secrets.
-        snoop: path of the file to write, empty for none.
-        logged: whether the frames are logged.
+        protocol: the protocol to connect to the medium.
+        name: name of the medium for messages, without secrets.
+        snoop: path of the snoop to write; empty for no snoop.
+        logged: True to log the frames.
 
     Raises:
-        ArgumentError: where the file can't be written.
+        ArgumentError: if the snoop cannot be written.
     """
     observers: list[Observer] = [SnoopedBytes(Snoop.at(snoop), name, _clock())] if snoop else []
     if logged:
@@ -55,12 +55,12 @@ def _clock() -> Callable[[], float]:
         loop = asyncio.get_running_loop()
     except RuntimeError:
         return time.monotonic
-    # That of uvloop stands still during a turn, and counts whole milliseconds.
+    # uvloop's clock does not advance during a turn of the loop, and has a resolution of 1 ms.
     return loop.time if isinstance(loop, asyncio.BaseEventLoop) else time.monotonic
 
 
 class SnoopedBytes:
-    """One connection in a snoop."""
+    """Observer that writes one connection into a snoop."""
 
     def __init__(self, snoop: Snoop, name: str, clock: Callable[[], float]) -> None:
         self._snoop = snoop
@@ -68,16 +68,16 @@ class SnoopedBytes:
         self._connection = snoop.connection(name)
 
     def take(self, data: bytes, *, sent: bool) -> None:
-        """Write bytes."""
+        """Write a record with bytes."""
         self._snoop.write(Packet(self._connection, self._now_ns(), sent, data))
 
     def end(self, why: str) -> None:
-        """Write that the connection has ended."""
+        """Write a record of the end of the connection."""
         self._snoop.end(self._connection, self._now_ns(), why)
 
 
 class LoggedFrames:
-    """The frames of one connection in words, at debug level."""
+    """Observer that logs the frames of one connection and their meanings at level DEBUG."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -85,11 +85,11 @@ class LoggedFrames:
         self._transcript = Transcript()
 
     def take(self, data: bytes, *, sent: bool) -> None:
-        """Log the frames that are whole."""
+        """Log the frames that are complete now."""
         self._log(self._transcript.take(data, self._clock(), sent=sent))
 
     def end(self, why: str) -> None:
-        """Log what is left."""
+        """Log the incomplete frames, and the end of the connection."""
         self._log(self._transcript.end(self._clock()))
         SENT.debug("%s: the connection has ended (%s)", self._name, why)
 
@@ -107,21 +107,21 @@ class LoggedFrames:
 
 
 def as_text(frame: bytes) -> str:
-    """Return a frame without its end as printable characters."""
+    """Return a frame without its line end as printable characters."""
     return repr(frame.rstrip(b"\r\n"))[2:-1]
 
 
 def in_words(timed: TimedFrame) -> str:
-    """Return what a frame means, in one line."""
+    """Return the meaning of a frame in one line."""
     return f"{timed.meaning.words}, again" if timed.again else timed.meaning.words
 
 
 class Tap(asyncio.Protocol):
-    """Stands between a medium and the protocol that is connected to it.
+    """A protocol between a medium and another protocol, which passes all bytes to observers and to that protocol.
 
     Args:
-        protocol: has all that passes handed on.
-        observers: are given it first.
+        protocol: the other protocol.
+        observers: get the bytes before the protocol does.
     """
 
     def __init__(self, protocol: asyncio.Protocol, observers: list[Observer]) -> None:
@@ -134,28 +134,28 @@ class Tap(asyncio.Protocol):
             observer.take(data, sent=sent)
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Hand on, with what observes the other direction in front of the transport."""
+        """Connect the protocol to a transport that observes the written bytes."""
         self._protocol.connection_made(_TappedTransport(cast("asyncio.Transport", transport), self))
 
     def data_received(self, data: bytes) -> None:
-        """Pass it to the observers and to the other side."""
+        """Pass received bytes to the observers and the protocol."""
         self.take(data, sent=False)
         self._protocol.data_received(data)
 
     def pause_writing(self) -> None:
-        """Hand on."""
+        """Pass the call on."""
         self._protocol.pause_writing()
 
     def resume_writing(self) -> None:
-        """Hand on."""
+        """Pass the call on."""
         self._protocol.resume_writing()
 
     def eof_received(self) -> bool | None:
-        """Hand on."""
+        """Pass the call on."""
         return self._protocol.eof_received()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Pass it to the observers and to the other side."""
+        """Pass the end of the connection to the observers and the protocol."""
         why = str(exc) if exc is not None else "closed"
         for observer in self._observers:
             observer.end(why)
@@ -163,7 +163,7 @@ class Tap(asyncio.Protocol):
 
 
 class _TappedTransport(asyncio.Transport):
-    """A transport whose writes are timed."""
+    """A transport whose written bytes are observed."""
 
     def __init__(self, transport: asyncio.Transport, tap: Tap) -> None:
         super().__init__()

@@ -1,6 +1,6 @@
-"""``tcp://host:port``: a gateway behind a serial device server, a served virtual one, or a shared link.
+"""``tcp://host:port``: a gateway at a serial device server, a served virtual gateway, or a shared link.
 
-What shares a link may want a token; it goes before everything else (protocol, "Shared links").
+A server of a shared link may require a token, which is then sent first (docs/protocol.md, "Shared links").
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
 OPTIONS = frozenset({"token"})
 NODES_SHARE = True
 NAMELESS = (socket.gaierror, UnicodeError)
-"""Errors where a host has no address."""
+"""Errors for a host name without an address."""
 
 
 def address(url: DriverUrl) -> tuple[str, int]:
     """Return host and port of a URL.
 
     Raises:
-        ArgumentError: where one of them is missing.
+        ArgumentError: if one of them is missing.
     """
     if not url.host or url.port is None:
         raise ArgumentError(f"{url.text} names no host and port: {url.scheme}://host:port was expected")
@@ -68,7 +68,7 @@ def _refused(host: str, port: int) -> AbstractContextManager[None]:
 
 
 def _first_line(url: DriverUrl) -> bytes:
-    """Return what goes before everything else."""
+    """Return the line with the token, which is sent first; empty if the URL has no token."""
     token = url.options.get("token")
     if token is None:
         return b""

@@ -1,11 +1,12 @@
-"""The turns of nodes that share a medium to send on (docs/protocol.md, "Half-duplex").
+"""Line arbiter: slots for links to nodes that share a half-duplex line (docs/protocol.md, "Half-duplex").
 
-Each link of a program has a `Seat` on the `Line`, and asks for a turn before each frame that wants an answer. The turn
-is given back with the answer, and passes to whoever has waited longest. Where no answer comes, where a program is busy
-with something else, or where a link was closed in its turn, the turn ends by itself: when no answer can come any more.
+Each link of a program has a `Seat` on the `Line`, and requests a slot before each frame that has an answer. The link
+returns the slot once the answer has arrived, and the arbiter gives it to the seat that has waited longest. If no answer
+arrives, if the program is busy, or if a link is closed in its slot, the slot ends by itself once no answer can arrive
+any more.
 
-Links of one line may run in different threads. There is no thread here, and no timer: whoever waits asks again when
-`Seat.patience` is over.
+Links of one line may run in different threads. The arbiter has no thread and no timer: a waiting link requests its slot
+again after `Seat.patience` seconds.
 """
 
 from __future__ import annotations
@@ -22,16 +23,16 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 MOST_HESITATION = 0.1
-"""Seconds in which a link must have begun the turn that it was given."""
+"""Seconds within which a link must begin the slot that it got."""
 
 
 class Line:
-    """A medium that nodes share.
+    """The arbiter of a line that several nodes share.
 
     Args:
-        name: what messages call it.
-        clock: gives the time in seconds.
-        free_at: when the first turn may begin.
+        name: name of the line in messages.
+        clock: returns the time in seconds.
+        free_at: time at which the first slot may begin.
     """
 
     def __init__(self, name: str, clock: Callable[[], float] = time.monotonic, free_at: float = -math.inf) -> None:
@@ -39,37 +40,37 @@ class Line:
         self.clock = clock
         self.lock = threading.RLock()
         self.seats: dict[int, Seat] = {}
-        """Seats by the number of the node."""
+        """Seat of each node, by node number."""
         self.holder: Seat | None = None
-        """Seat that has the turn."""
+        """Seat that has the slot; None between slots."""
         self.last: Seat | None = None
-        """Seat that has the turn, or had it last."""
+        """Seat that has the slot, or had the last one."""
         self.free_at = free_at
-        """Instant at which the turn ends by itself."""
+        """Time at which the current slot ends by itself."""
         self.waiting: deque[Seat] = deque()
 
     @property
     def owed_until(self) -> float:
-        """Until when an answer may come that is owed: then the first turn may begin of a line in place of this one."""
-        # A turn that is kept for good ends with its line.
+        """Time until which a late answer may arrive; only then may slots begin if the port is opened again."""
+        # A permanent slot ends when the line is closed.
         return -math.inf if self.free_at == math.inf else self.free_at
 
     def join(self, node: int) -> Seat:
-        """Return the seat of the link to a node.
+        """Return a seat for a new link to a node.
 
         Raises:
-            ConnectError: where there is one already, or a node that does not take turns.
+            ConnectError: if there is a link to this node already, or a node that keeps the line permanently.
         """
         with self.lock:
             if node in self.seats:
-                raise ConnectError(f"{self.name} has a link to node {node} already, of this program: use that")
+                raise ConnectError(f"this program has a link to node {node} of {self.name} already: use that link")
             if self.free_at == math.inf and self.holder is not None:
                 raise ConnectError(f"{self.name} is in use: {_not_shared(self.holder.node)}")
             seat = self.seats[node] = Seat(self, node)
             return seat
 
     def give_to(self, seat: Seat) -> None:
-        """Pass a turn to a seat, which is to begin it soon."""
+        """Assign the slot to a seat, which must begin it within `MOST_HESITATION`."""
         if seat in self.waiting:
             self.waiting.remove(seat)
         self.holder = self.last = seat
@@ -77,7 +78,7 @@ class Line:
         self.free_at = self.clock() + MOST_HESITATION
 
     def pass_on(self) -> Seat | None:
-        """Pass the turn to the seat that has waited longest, and return that, which must be told."""
+        """Assign the slot to the seat that has waited longest, and return it; the caller must call its `on_turn`."""
         self.holder, self.free_at = None, -math.inf
         if not self.waiting:
             return None
@@ -91,75 +92,79 @@ def _not_shared(node: int) -> str:
 
 
 class Seat:
-    """The place of one link on a line; made by `Line.join`."""
+    """One link's place on a line; created by `Line.join`."""
 
     def __init__(self, line: Line, node: int) -> None:
         self.node = node
         self.on_turn: Callable[[], object] = lambda: None
-        """Is called, in any thread, when a turn that was asked for has come."""
+        """Is called in any thread when a requested slot was given to this seat."""
         self._line = line
         self.has_begun = False
-        """True if something was sent in the turn."""
+        """True if the link has sent a frame in the slot."""
 
     @property
     def listens(self) -> bool:
-        """Return whether what arrives is for this link: in its turn; between turns the last one listens."""
+        """True if this link reads received bytes: in its slot, and after it until the next slot of another link."""
         line = self._line
         return line.last is self
 
     @property
     def has_turn(self) -> bool:
-        """Return whether this link may send."""
+        """True if this link may send."""
         return self._line.holder is self
 
     @property
     def is_kept(self) -> bool:
-        """Return whether this link has the turn for good."""
+        """True if this link has a permanent slot."""
         return self.has_turn and self._line.free_at == math.inf
 
     @property
     def patience(self) -> float:
-        """Seconds after which to ask again, where `on_turn` has not been called."""
+        """Seconds after which to request the slot again, if `on_turn` was not called before."""
         return max(0.0, self._line.free_at - self._line.clock())
 
     def ask(self) -> bool:
-        """Return whether it is this link's turn; otherwise it waits for it from now on."""
+        """Request a slot; return True if the link has it now. Otherwise the link waits for it from now on."""
         line = self._line
-        told = None
+        next_seat = None
         with line.lock:
             if line.holder is self and line.free_at > line.clock():
                 return True
             if self not in line.waiting:
                 line.waiting.append(self)
             if line.free_at <= line.clock():
-                told = line.pass_on()
+                next_seat = line.pass_on()
             given = line.holder is self
-        if told is not None and told is not self:
-            told.on_turn()
+        if next_seat is not None and next_seat is not self:
+            next_seat.on_turn()
         return given
 
     def begin(self, seconds: float) -> None:
-        """Begin the turn: what is sent now is answered within so many seconds, or never."""
+        """Begin the slot.
+
+        Args:
+            seconds: time within which an answer arrives, if it arrives at all.
+        """
         with self._line.lock:
             if self.has_turn:
                 self.has_begun = True
                 self._line.free_at = self._line.clock() + seconds
 
     def give_back(self) -> None:
-        """End the turn, if there is one: nothing is on its way any more."""
+        """End the slot, if the link has it: no answer is pending any more."""
         line = self._line
         with line.lock:
             if line.holder is not self:
                 return
-            told = line.pass_on()
-        if told is not None:
-            told.on_turn()
+            next_seat = line.pass_on()
+        if next_seat is not None:
+            next_seat.on_turn()
 
     def keep(self) -> None:
-        """Keep the turn for good, for a node that sends without being asked.
+        """Make the slot permanent, for a node that sends unsolicited frames.
 
         Raises:
-            ConnectError: where there are links to other nodes.
+            ConnectError: if the line has links to other nodes.
         """
         line = self._line
         with line.lock:
@@ -170,7 +175,7 @@ class Seat:
             line.free_at = math.inf
 
     def leave(self) -> None:
-        """Leave the seat. If an answer is owed, its time passes before another turn begins."""
+        """Leave the line. If an answer is pending, the next slot begins only after the answer's time limit."""
         line = self._line
         with line.lock:
             if line.seats.get(self.node) is not self:
@@ -181,6 +186,6 @@ class Seat:
             if line.holder is not self:
                 return
             line.holder = None
-            told = None if self.has_begun and line.free_at < math.inf else line.pass_on()
-        if told is not None:
-            told.on_turn()
+            next_seat = None if self.has_begun and line.free_at < math.inf else line.pass_on()
+        if next_seat is not None:
+            next_seat.on_turn()

@@ -1,8 +1,9 @@
-"""``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones.
+"""``udp://host:port``: a gateway on the network.
 
-Each connection has a socket of its own, and so a port of its own, and one session with the gateway. ``?interface=eth1``
-has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one. ``?mtu=576`` keeps its
-packets, and those of the gateway, so short; otherwise the link finds the longest that the network carries.
+A datagram holds complete frames; lost datagrams are retransmitted by the window. Each connection has its own socket and
+port, and one session with the gateway. ``?interface=eth1`` restricts it to one network interface, and ``?ttl=1`` sets
+the time to live of its packets. ``?mtu=576`` limits the packets of both sides to 576 bytes; otherwise the link finds
+the longest packets that the network carries.
 """
 
 from __future__ import annotations
@@ -31,23 +32,22 @@ if TYPE_CHECKING:
 OPTIONS = frozenset({"interface", "mtu", "ttl"})
 MOST_TTL = 255
 _IP_MTU, _IPV6_MTU = 14, 24
-"""Linux: options of a connected socket, the MTU of its path as far as the system knows it (ip(7), ipv6(7))."""
+"""Socket options IP_MTU and IPV6_MTU of Linux: the path MTU of a connected socket, as known so far (ip(7), ipv6(7))."""
 RECEIVE_BUFFER = 1 << 22
-"""Bytes that wait in the system, as far as it allows so many: those of the blocks that are asked for at a time."""
+"""Requested size of the system's receive buffer in bytes: enough for all block reads in flight."""
 LARGE = 512
-"""Bytes of a datagram behind which there are probably others."""
+"""Size of a datagram in bytes from which on more datagrams are probably pending."""
 LARGEST = 65_536
 LONGEST_TRY = 0.2
-"""Seconds after which a question is asked again, at most: a datagram that is lost leaves no sign, and one more is no
-load to the network."""
+"""Upper limit in seconds of the time between two tries of the handshake: lost datagrams are not reported."""
 MOST_KEPT = 1 << 18
-"""Bytes of frames that are kept while nothing is read; what comes beyond them is lost, as on the way."""
+"""Limit in bytes of the frames that are buffered while reading is paused; frames beyond it are dropped."""
 MOST_TOGETHER = 64
-"""Datagrams that are read on in one turn of the loop."""
+"""Largest number of pending datagrams that are read in one turn of the event loop."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Open a socket that speaks with one gateway only."""
+    """Open a socket that is connected to one gateway."""
     host, port = address(url)
     settings, loop = Settings.of(url), asyncio.get_running_loop()
 
@@ -58,7 +58,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
     with refused(host, port):
         if settings == Settings(None, None):
-            # The event loop makes the socket, since one that simulates a network has none of the system.
+            # Let the event loop create the socket: an event loop with a simulated network has no system sockets.
             return (await loop.create_datagram_endpoint(adapter, remote_addr=(host, port)))[1]
         opened = settings.connected(await loop.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
         try:
@@ -68,8 +68,8 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
             raise
 
 
-def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
-    """Open a socket that speaks with one gateway only, without an event loop."""
+def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (opening never waits)
+    """Open a socket that is connected to one gateway, without an event loop."""
     host, port = address(url)
     settings, path = Settings.of(url), path_of(url)
     with refused(host, port):
@@ -78,10 +78,10 @@ def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG
 
 
 def path_of(url: DriverUrl) -> Path:
-    """Return the network to the gateway of a URL.
+    """Return the network path to the gateway of a URL.
 
     Raises:
-        ArgumentError: for an MTU that no network has.
+        ArgumentError: if the MTU is out of range.
     """
     if "mtu" not in url.options:
         return Path()
@@ -92,39 +92,41 @@ def path_of(url: DriverUrl) -> Path:
 
 
 def _known_mtu(opened: socket.socket) -> int:
-    """Return the MTU of a connected socket's path as far as the system knows it."""
+    """Return the path MTU of a connected socket in bytes, as the system knows it; LONGEST_MTU if it is unknown."""
     if sys.platform != "linux":
         return LONGEST_MTU
     is_6 = opened.family == socket.AF_INET6
     try:
         return opened.getsockopt(socket.IPPROTO_IPV6 if is_6 else socket.IPPROTO_IP, _IPV6_MTU if is_6 else _IP_MTU)
     except OSError:
-        # A simulated or closed socket has none.
+        # Simulated and closed sockets do not have this option.
         return LONGEST_MTU
 
 
-def _learn(error: OSError, path: Path, opened: socket.socket) -> None:
-    """Take the MTU that a router has told to the system; `error` is what the system then returns, once."""
+def _lower_mtu(error: OSError, path: Path, opened: socket.socket) -> None:
+    """Lower the MTU of a path if `error` is EMSGSIZE: the system returns it once after a router reports a lower MTU."""
     if error.errno == errno.EMSGSIZE:
         path.lower(_known_mtu(opened))
 
 
 class Settings(NamedTuple):
-    """The options of a URL for its socket."""
+    """Socket options in a URL."""
 
     interface: str | None
     ttl: int | None
 
     @classmethod
     def of(cls, url: DriverUrl) -> Settings:
-        """Return those of a URL.
+        """Return the socket options of a URL.
 
         Raises:
-            ArgumentError: for a TTL that cannot be, or an interface without a name.
+            ArgumentError: if the TTL is out of range, or the name of the interface is empty.
         """
         interface = url.options.get("interface")
         if interface == "":
-            raise ArgumentError(f"interface= in {url.text} names no network interface, as eth1 is one")
+            raise ArgumentError(
+                f"interface= in {url.text} names no network interface: a name such as eth1 was expected"
+            )
         if "ttl" not in url.options:
             return cls(interface, None)
         ttl = url.integer("ttl", 0)
@@ -133,11 +135,14 @@ class Settings(NamedTuple):
         return cls(interface, ttl)
 
     def connected(self, known: list[tuple[Any, Any, int, str, Any]]) -> socket.socket:
-        """Return a socket for the first of some addresses that one can be connected to.
+        """Return a socket that is connected to the first usable one of some addresses.
+
+        Args:
+            known: results of `socket.getaddrinfo`.
 
         Raises:
-            ConnectError: for an interface that is not there, or a system that has no choice of it.
-            OSError: where none can.
+            ConnectError: if the interface does not exist, or the system cannot select an interface.
+            OSError: if no address is usable.
         """
         refusal: OSError | None = None
         for family, kind, protocol, _, remote in known:
@@ -157,7 +162,7 @@ class Settings(NamedTuple):
         raise refusal or OSError("it has no address")
 
     def _set(self, opened: socket.socket, family: int) -> None:
-        """Set what must be set before the system chooses a route."""
+        """Set the options, before the system chooses a route."""
         if self.interface is not None:
             _bind_to(opened, self.interface)
         if self.ttl is not None and family == socket.AF_INET6:
@@ -169,7 +174,7 @@ class Settings(NamedTuple):
 def _bind_to(opened: socket.socket, interface: str) -> None:
     option = getattr(socket, "SO_BINDTODEVICE", None)
     if option is None:
-        raise ConnectError(f"interface={interface} is only had on Linux; leave it out, and set a route instead")
+        raise ConnectError(f"interface={interface} works on Linux only; remove it, and set a route instead")
     try:
         opened.setsockopt(socket.SOL_SOCKET, option, interface.encode())
     except OSError as error:
@@ -180,7 +185,7 @@ def _bind_to(opened: socket.socket, interface: str) -> None:
 
 
 def refused(host: str, port: int) -> AbstractContextManager[None]:
-    """Raise ConnectError for what the system refuses in the block, for a port of a host."""
+    """Convert an OSError or UnicodeError in the block to a ConnectError about a port of a host."""
     return refused_as(
         f"no socket for port {port} of {host}",
         lambda error: "is the name right?" if isinstance(error, NAMELESS) else "",
@@ -188,12 +193,12 @@ def refused(host: str, port: int) -> AbstractContextManager[None]:
 
 
 class DatagramChannel:
-    """Looks like a stream, and sends datagrams.
+    """A channel that sends and receives its bytes in datagrams.
 
     Args:
-        opened: is connected to the gateway, and the channel's from now on.
-        datagrams: of the session.
-        path: the network to the gateway.
+        opened: a socket that is connected to the gateway; the channel closes it.
+        datagrams: packs and unpacks the datagrams of the session.
+        path: network path to the gateway.
     """
 
     shortest_timeout = QUICK_TIMEOUT
@@ -209,7 +214,11 @@ class DatagramChannel:
         self.close = opened.close
 
     def read(self) -> bytes:
-        """Return the frames of datagrams that are neither late nor doubled; raises ConnectError at the end."""
+        """Return the frames of received datagrams, without late and duplicate ones.
+
+        Raises:
+            ConnectError: if no program listens on the port, or the gateway has ended the session.
+        """
         if not self._heard:
             try:
                 first = self._socket.recv(LARGEST)
@@ -220,7 +229,7 @@ class DatagramChannel:
         return b"".join(map(self._datagrams.take, _read_on(self._socket, self.path)))
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
-        """Send whole frames; a datagram that the system does not take is as good as lost."""
+        """Send complete frames; datagrams that the system refuses count as lost."""
         for datagram in self._datagrams.put(bytes(data)):
             try:
                 self._socket.send(datagram)
@@ -228,25 +237,25 @@ class DatagramChannel:
                 if not self._heard:
                     raise _nobody() from None
             except OSError as error:
-                _learn(error, self.path, self._socket)
+                _lower_mtu(error, self.path, self._socket)
         return len(data)
 
 
 def _prepare(opened: socket.socket, path: Path) -> None:
     path.begin(HEADERS_6 if opened.family == socket.AF_INET6 else HEADERS, _known_mtu(opened))
     opened.setblocking(False)  # noqa: FBT003  (it has no name)
-    # Some systems refuse what is beyond their limit, others take the limit.
+    # Above their limit, some systems refuse the value, and others use the limit.
     with contextlib.suppress(OSError):
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
 
 
 class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
-    """Looks like a stream to `protocol`, and sends datagrams.
+    """A transport that sends and receives the bytes of a stream in datagrams.
 
     Args:
-        protocol: reads and writes.
-        node: number of the gateway on a shared medium, or None.
-        path: the network to the gateway.
+        protocol: receives the bytes.
+        node: node number of the gateway on a shared medium; None if the medium is not shared.
+        path: network path to the gateway.
     """
 
     def __init__(self, protocol: asyncio.Protocol, node: int | None, path: Path) -> None:
@@ -259,21 +268,21 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._heard = False
         self._reading = True
         self._kept = b""
-        """Frames that arrived while nothing was read."""
+        """Frames that arrived while reading was paused."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
-        """Begin."""
+        """Prepare the socket, and connect the protocol."""
         self._endpoint = transport
         known = transport.get_extra_info("socket")
         if known is not None:
-            # What an event loop tells of its socket can't be read from.
+            # The event loop's socket object does not allow reading, so make another one for the same descriptor.
             self._socket = socket.fromfd(known.fileno(), known.family, known.type)
             _prepare(self._socket, self._path)
         self._protocol.connection_made(self)
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
-        """Hand on the frames of datagrams that are neither late nor doubled; end where the session is over."""
+        """Pass on the frames of received datagrams, without late and duplicate ones; close after the session's end."""
         self._heard = True
         frames = self._take(data)
         if len(data) >= LARGE and self._socket is not None:
@@ -284,11 +293,11 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
             self._kept += frames
 
     def pause_reading(self) -> None:
-        """Hand nothing on until `resume_reading`."""
+        """Buffer received frames until `resume_reading`, up to a limit."""
         self._reading = False
 
     def resume_reading(self) -> None:
-        """Hand on what has arrived meanwhile, and what arrives."""
+        """Pass on the buffered frames, and later ones as they arrive."""
         self._reading = True
         kept, self._kept = self._kept, b""
         if kept:
@@ -303,35 +312,35 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
             return b""
 
     def error_received(self, exc: Exception) -> None:
-        """End where nothing listens; later, a datagram that was refused is as good as lost."""
+        """Close if no program listens on the port; after the first answer, refused datagrams count as lost."""
         if isinstance(exc, OSError) and self._socket is not None:
-            _learn(exc, self._path, self._socket)
+            _lower_mtu(exc, self._path, self._socket)
         if isinstance(exc, ConnectionRefusedError) and not self._heard:
             self._over = _nobody()
             self.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Hand on the end."""
+        """Pass on the end of the connection."""
         if self._socket is not None:
             self._socket.close()
         self._protocol.connection_lost(exc or self._over)
 
     def pause_writing(self) -> None:
-        """Hand on."""
+        """Pass the call on."""
         self._protocol.pause_writing()
 
     def resume_writing(self) -> None:
-        """Hand on."""
+        """Pass the call on."""
         self._protocol.resume_writing()
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Send whole frames."""
+        """Send complete frames."""
         if self._endpoint is not None:
             for datagram in self._datagrams.put(bytes(data)):
                 self._endpoint.sendto(datagram)
 
     def is_closing(self) -> bool:
-        """Return whether the socket is closing."""
+        """Return True if the socket is closing or closed."""
         return self._endpoint is None or self._endpoint.is_closing()
 
     def close(self) -> None:
@@ -350,7 +359,7 @@ def _nobody() -> ConnectError:
 
 
 def _read_on(opened: socket.socket, path: Path) -> Iterator[bytes]:
-    """Read what has come: turns of an event loop cost more than datagrams. Behind a small one there is rarely more."""
+    """Yield pending datagrams without another turn of the event loop; stop after a small one, usually the last."""
     try:
         for _ in range(MOST_TOGETHER):
             datagram = opened.recv(LARGEST)
@@ -358,4 +367,4 @@ def _read_on(opened: socket.socket, path: Path) -> Iterator[bytes]:
             if len(datagram) < LARGE:
                 return
     except OSError as error:
-        _learn(error, path, opened)
+        _lower_mtu(error, path, opened)

@@ -1,4 +1,4 @@
-"""``unix:/path``: a gateway that another program of this machine serves."""
+"""``unix:/path``: a gateway that another program on this machine serves."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The URL of a gateway, taken apart."""
+"""The parsed URL of a gateway."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ class DriverUrl(msgspec.Struct, frozen=True):
     """A parsed URL, such as ``serial:/dev/ttyUSB0?baud=12000000`` or ``tcp://robot:7001``."""
 
     text: str
-    """The URL as it was given, without a token; messages name it."""
+    """The URL for messages, as the user wrote it, but without the value of a token."""
     scheme: str
     host: str
-    """A computer; or a device, as it stands in the URL."""
+    """Name of a computer, or of a device."""
     port: int | None
     path: str
     options: dict[str, str]
 
     def integer(self, option: str, default: int) -> int:
-        """Return an option that is a whole number.
+        """Return the value of an option as an integer, or `default` if the URL does not have the option.
 
         Raises:
-            ArgumentError: where it is none.
+            ArgumentError: if the value is not an integer.
         """
         text = self.options.get(option)
         if text is None:
@@ -36,10 +36,10 @@ class DriverUrl(msgspec.Struct, frozen=True):
             raise ArgumentError(f"{option}={text} in {self.text} is not a whole number") from None
 
     def number(self, option: str) -> float:
-        """Return an option that is a number, and is there.
+        """Return the value of an option that the URL has, as a finite number.
 
         Raises:
-            ArgumentError: where it is none.
+            ArgumentError: if the value is not a number.
         """
         text = self.options[option]
         try:
@@ -51,10 +51,10 @@ class DriverUrl(msgspec.Struct, frozen=True):
         return number
 
     def flag(self, option: str, *, default: bool = False) -> bool:
-        """Return an option that is 0 or 1, `default` where it is not given.
+        """Return the value of an option, 0 or 1, as a bool, or `default` if the URL does not have the option.
 
         Raises:
-            ArgumentError: where it is something else.
+            ArgumentError: if the value is neither 0 nor 1.
         """
         text = self.options.get(option, str(int(default)))
         if text not in ("0", "1"):
@@ -63,12 +63,12 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
     @property
     def without_host(self) -> str:
-        """The URL with what it has for a host as the first folder of its path."""
+        """The URL with its host as the first folder of its path."""
         return self.text.replace("://", ":/", 1)
 
     @property
     def node(self) -> int | None:
-        """Number of the node on a shared medium (docs/protocol.md, "Addressed frames"), None on a medium of our own."""
+        """Node number on a shared medium, 0 to 254 (docs/protocol.md, "Addressed frames"); None without ``node=``."""
         if "node" not in self.options:
             return None
         node = self.integer("node", 0)
@@ -78,25 +78,25 @@ class DriverUrl(msgspec.Struct, frozen=True):
 
     @property
     def any_map(self) -> bool:
-        """Return whether a program may use a gateway that was built from another spec than its own."""
+        """True if a program may use a gateway that was built from another spec than its own."""
         chosen = self.options.get("map")
         if chosen not in (None, "any"):
-            raise ArgumentError(f"map={chosen} in {self.text} is not any")
+            raise ArgumentError(f"map={chosen} in {self.text} is not 'any', the only value of map=")
         return chosen is not None
 
     @property
     def compact(self) -> bool:
-        """Return whether frames may be in compact form (docs/protocol.md, "The compact form")."""
+        """True if frames may have the compact form (docs/protocol.md, "The compact form")."""
         return self.flag("compact", default=True)
 
     @property
     def echo(self) -> bool:
-        """Return whether an adapter is known to give back what is sent."""
+        """True if the URL declares that the adapter echoes all sent bytes."""
         return self.flag("echo")
 
     @property
     def snoop(self) -> str | None:
-        """Path of the file that is to hold what passes, None where none is named."""
+        """Path of the snoop; None if the URL does not name one."""
         name = self.options.get("snoop")
         if name == "":
             raise ArgumentError(f"snoop= in {self.text} names no file")

@@ -1,9 +1,9 @@
-"""``zenoh:robot/1``: a gateway on another machine, behind ``unity-link zenoh --prefix robot/1``.
+"""``zenoh:robot/1``: a gateway on another machine, through the bridge ``unity-link zenoh --prefix robot/1``.
 
-The protocol's bytes go over two keys of this client, ``robot/1/@link/CLIENT/up`` and ``/down``. Those that come twice
-or late are dropped by their count, and the window makes up for those that were lost. Tokens of liveliness say on either
-side whether the other one is there. By default only this machine is looked at; ``connect=tcp/HOST:PORT`` (several: with
-commas), ``listen=``, ``mode=client`` and ``config=FILE`` say more, as in Zenoh's own configuration.
+Each client has two keys for the protocol's bytes, ``robot/1/@link/CLIENT/up`` and ``/down``. Publications have a count,
+by which duplicate and late ones are dropped; the window retransmits lost requests. Each side detects the end of the
+other by a liveliness token. By default bridges are searched on this machine only. ``connect=tcp/HOST:PORT`` (several
+with commas), ``listen=``, ``mode=client`` and ``config=FILE`` have the meanings of Zenoh's configuration.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ if TYPE_CHECKING:
 
 OPTIONS = frozenset({"connect", "listen", "mode", "config"})
 PATIENCE = 2.0
-"""Seconds that a bridge is looked for: what has just been started finds others within one."""
+"""Seconds for which a bridge is searched; newly started programs find each other within one second."""
 PAUSE = 0.05
 LONGEST_ANSWER = 1.0
-"""Seconds for one question, to which a bridge answers at once."""
+"""Time limit in seconds for one question; a bridge answers at once."""
 
 
-async def prepare(url: DriverUrl) -> None:  # noqa: ARG001  (a driver's prepare is given the URL)
-    """See that Zenoh is installed.
+async def prepare(url: DriverUrl) -> None:  # noqa: ARG001  (the signature of all drivers)
+    """Check that Zenoh is installed.
 
     Raises:
-        ConnectError: where it is not.
+        ConnectError: if Zenoh is not installed.
     """
     find_zenoh()
 
@@ -76,11 +76,11 @@ def _close_late(opening: asyncio.Future[zenoh.Session]) -> None:
 
 
 class Caller:
-    """One stream to a bridge, from the first question to its end.
+    """Opens one stream to a bridge, and closes the Zenoh session with the stream.
 
     Args:
-        session: of this stream alone; it is closed with it.
-        protocol: writes and reads.
+        session: a Zenoh session that only this stream uses.
+        protocol: receives the bytes.
     """
 
     transport: KeyTransport
@@ -95,12 +95,12 @@ class Caller:
         """Ask the bridge for a stream.
 
         Raises:
-            ConnectError: where none answers, or it says no.
+            ConnectError: if no bridge answers, or the bridge refuses.
         """
         import zenoh
 
         place = f"{prefix}/@link/{self._name}"
-        # Kept as long as this: Zenoh ends with its owner what it has declared.
+        # Keep a reference: Zenoh ends a declaration when its Python object is deleted.
         self._token = self._session.liveliness().declare_token(f"{place}/client")
 
         def watch(sample: zenoh.Sample) -> None:
@@ -131,7 +131,7 @@ class Caller:
         self.transport.end(ConnectError("the bridge has gone, or the network to it"))
 
     def transport_over(self) -> None:
-        """Close the session, in a thread, for that takes its time."""
+        """Close the Zenoh session in a thread, because closing may block."""
         session, self._session = self._session, None  # type: ignore[assignment]
         if session is not None:
             self._loop.run_in_executor(None, close_session, session)

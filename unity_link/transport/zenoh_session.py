@@ -1,11 +1,11 @@
-"""Sessions of Zenoh as links need them: who finds whom, and a stream of bytes over two keys.
+"""Zenoh sessions for links and bridges, and byte streams over two keys.
 
-By default nothing can be reached from other machines: a session listens on the loopback address alone, and does not
-scout by multicast, for which Zenoh opens a port on all addresses. Programs of one machine find each other by one port
-of it, `MEETING`: it is Zenoh's own, so a router there is found as well. Of several bridges one has that port, and
-another takes it over when that one ends.
+By default other machines cannot connect: a session listens on the loopback address only, and does not scout by
+multicast, because Zenoh would open a port on all addresses for that. Programs on one machine find each other by the
+port `MEETING`, Zenoh's default, so that they also find a router on this machine. One of several bridges listens on that
+port; if it ends, another one takes the port over.
 
-The threads of Zenoh and the event loop meet in an `Inbox`.
+Zenoh's threads pass samples to the event loop through an `Inbox`.
 """
 
 from __future__ import annotations
@@ -33,15 +33,15 @@ if TYPE_CHECKING:
 MEETING = "tcp/127.0.0.1:7447"
 ANY_PORT = "tcp/127.0.0.1:0"
 PATIENCE = 1.0
-"""Seconds that the end of a session is waited for."""
+"""Seconds to wait for the end of a session."""
 OPEN = "@link/open"
-"""Below a prefix: where a client asks for a stream. What stands below ``@link`` is in no ``*`` or ``**`` of others."""
+"""Key below a prefix at which a client requests a stream. Wildcards of other programs do not match keys with ``@``."""
 MOST_PUT = 60_000
-"""Bytes of one publication of a stream: more would go in fragments, which are lost together."""
+"""Largest publication of a stream in bytes: Zenoh would divide longer ones into fragments, and lose all with one."""
 MOST_KEPT = 1 << 20
-"""Bytes that wait for a protocol that does not read; the protocol makes up for what is lost beyond."""
+"""Limit in bytes of the buffer while reading is paused; the session retransmits requests that are lost beyond it."""
 MOST_QUEUED = 16
-"""Batches of 64 KiB that wait for a slow network, of a stream: as many as Zenoh takes."""
+"""Length of Zenoh's queue for a slow network, in batches of 64 KiB; the maximum that Zenoh allows."""
 _COUNT_DIGITS = 8
 _SOURCE_LINE = re.compile(r" at \S+\.rs:\d+\.?| - Caused by")
 _PARSING = re.compile(r'msg: "(.*)", location: ')
@@ -51,39 +51,39 @@ _RETRY = {"period_init_ms": 100, "period_max_ms": 1000, "period_increase_factor"
 
 
 class Declaration(Protocol):
-    """A declaration of a session."""
+    """A publisher, subscriber or token that a session has declared."""
 
     def undeclare(self) -> object:
-        """End it."""
+        """End the declaration."""
 
 
 class UnreachableError(ConnectError):
-    """Raised where a session that is a client finds no peer; one may come yet."""
+    """A session in client mode finds no peer; a later attempt may succeed."""
 
 
 class Network(msgspec.Struct, frozen=True, kw_only=True):
-    """Settings by which a session finds others."""
+    """Settings for finding other sessions."""
 
     connect: tuple[str, ...] = ()
     """Endpoints to connect to, such as ``tcp/192.168.1.5:7447``."""
     listen: tuple[str, ...] = ()
-    """Endpoints to listen at."""
+    """Endpoints to listen on."""
     mode: str | None = None
-    """``peer`` or ``client``; a client has all go through one router."""
+    """``peer`` or ``client``; a client sends everything through one router."""
     config: str | None = None
-    """A configuration file of Zenoh; what it leaves at Zenoh's defaults is at those of this module."""
+    """A configuration file of Zenoh; this module's defaults replace settings that have Zenoh's defaults in the file."""
 
 
 def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
-    """Open a session. Blocks, up to half a second where no peer is there.
+    """Open a session. Blocks for up to half a second if there is no peer.
 
     Args:
-        network: how it finds others.
-        meeting: whether others of this machine are to find it.
+        network: settings for finding other sessions.
+        meeting: True if other programs on this machine must be able to find the session.
 
     Raises:
-        ArgumentError: for an endpoint, a mode or a file that Zenoh does not take, or a client that names no router.
-        ConnectError: where it can't listen; `UnreachableError` where as a client it finds no peer.
+        ArgumentError: if Zenoh refuses an endpoint, the mode or the file, or a client has no router to connect to.
+        ConnectError: if the session cannot listen; `UnreachableError` if a client finds no peer.
     """
     find_zenoh()
     import zenoh
@@ -97,15 +97,15 @@ def open_session(network: Network, *, meeting: bool = False) -> zenoh.Session:
             raise ArgumentError("a client of Zenoh needs a router: connect to one, such as tcp/router:7447") from error
         kind = UnreachableError if text.startswith(_UNREACHABLE) else ConnectError
         raise kind(f"no Zenoh session could be opened: {text}") from error
-    # One that is left open when Python ends takes the process with it.
+    # Close the session at the latest when Python exits: an open session would crash the process then.
     atexit.register(session.close)
     return session
 
 
 def close_session(session: zenoh.Session) -> None:
-    """Close a session. Blocks, for `PATIENCE` at most.
+    """Close a session. Blocks for at most `PATIENCE` seconds.
 
-    Zenoh waits ten seconds for a session that still tries to listen at a port that another has; it does so in a thread.
+    Zenoh takes ten seconds if the session still tries to listen on an occupied port, so a thread closes the session.
     """
     import zenoh
 
@@ -120,18 +120,18 @@ def close_session(session: zenoh.Session) -> None:
 
 
 def explain(error: Exception) -> str:
-    """Return what Zenoh says of an error, without the lines of its sources."""
+    """Return the text of an error of Zenoh, without places in Zenoh's sources."""
     text = _SOURCE_LINE.sub("", str(error)).strip()
     parsing = _PARSING.search(text)
     return text if parsing is None else parsing[1]
 
 
 def check_prefix(prefix: str) -> str:
-    """Return a prefix that keys can begin with.
+    """Return a prefix of keys in canonical form.
 
     Raises:
-        ArgumentError: for one that Zenoh does not take.
-        ConnectError: where Zenoh is not installed.
+        ArgumentError: if Zenoh does not allow the prefix.
+        ConnectError: if Zenoh is not installed.
     """
     find_zenoh()
     import zenoh
@@ -145,10 +145,10 @@ def check_prefix(prefix: str) -> str:
 
 
 def find_zenoh() -> None:
-    """See that Zenoh is installed.
+    """Check that Zenoh is installed.
 
     Raises:
-        ConnectError: where it is not.
+        ConnectError: if Zenoh is not installed.
     """
     if importlib.util.find_spec("zenoh") is None:
         raise ConnectError("Zenoh is not installed here: pip install 'unity-link[zenoh]'")
@@ -191,18 +191,18 @@ def _same(one: zenoh.Config, other: zenoh.Config, *keys: str) -> bool:
 
 
 class KeyTransport(BufferedTransport):
-    """A stream over two keys: what is written is published at one, and what is published at the other is read.
+    """A byte stream over two keys: written bytes are published on one key, and received ones come from the other.
 
-    Publications may be lost where the network is slower than the stream, and the loop never waits for it: the protocol
-    on top repeats what it misses. They may come twice or late where several routers hand them on. So each begins with
-    its count, as datagrams have it (docs/protocol.md, "Datagrams"), and what is not newer than all before is dropped.
+    Publications are lost if the network is slower than the stream, because the event loop must not block; the session
+    retransmits lost requests. Several routers may deliver a publication twice or late. Each publication therefore
+    begins with a count, like a datagram (docs/protocol.md, "Datagrams"), and is dropped if a newer one has arrived.
 
     Args:
         session: an open session.
-        there: the key to publish at.
-        back: the key to subscribe to.
-        protocol: who writes and reads.
-        over: is called when it ends.
+        there: key to publish on.
+        back: key to subscribe to.
+        protocol: receives the bytes.
+        over: is called when the stream ends.
     """
 
     def __init__(
@@ -247,7 +247,7 @@ class KeyTransport(BufferedTransport):
         data = b"".join(piece[_COUNT_DIGITS:] for piece in pieces if self._is_newer(piece))
         if self._closing or not data:
             return
-        # What was kept is delivered first.
+        # Buffered bytes are delivered first.
         if self._reading and not self._kept:
             self._protocol.data_received(data)
         elif self._kept_bytes + len(data) <= MOST_KEPT:
@@ -261,7 +261,7 @@ class KeyTransport(BufferedTransport):
             return False
 
     def resume_reading(self) -> None:
-        """Read again."""
+        """Deliver received bytes again."""
         self._reading = True
         self._loop.call_soon(self._read_kept)
 
@@ -271,22 +271,22 @@ class KeyTransport(BufferedTransport):
             self._protocol.data_received(b"".join(kept))
 
     def set_write_buffer_limits(self, high: int | None = None, low: int | None = None) -> None:
-        """Do nothing: what is written is not kept."""
+        """Do nothing: written bytes are not buffered."""
 
     def get_write_buffer_size(self) -> int:
-        """Return 0: what is written is not kept."""
+        """Return 0: written bytes are not buffered."""
         return 0
 
     def close(self) -> None:
-        """End."""
+        """Close the stream."""
         self.end(None)
 
     def abort(self) -> None:
-        """End."""
+        """Close the stream."""
         self.end(None)
 
     def end(self, reason: Exception | None) -> None:
-        """End, and tell the protocol why. May be called again."""
+        """Close the stream, and report the reason to the protocol. Further calls do nothing."""
         if self._closing:
             return
         self._closing = True

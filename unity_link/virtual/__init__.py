@@ -1,15 +1,15 @@
-"""Stand-ins for hardware.
+"""Simulated hardware: gateways, robots, lines and an FT232H.
 
-- `gateway`: the protocol as a model; `commands`, `groups` and `bus` are its inside
-- `rtl`: the gateware itself, compiled
-- `scara`, `walker`: robots behind the bus, made of joints as in `servo`; `tosnet`: the first as a node of a network
-- `simulated`, `registers`: the robot of a spec, moved by a model; `simulating`: the gateway that lets its time pass
-- `build`: any of it from what a URL or a command says; `simulate` is the same for programs
-- `line`, `faults`: what can happen between a gateway and a host; each is a gateway in front of another one
-- `transport`, `serving`: gateways on an event loop, in the process and for other programs
-- `ft232h`: a USB chip in front of a gateway; `modelled_time`: a loop on which all of it is exact in time
+- `gateway`: the gateway as a model; it uses `commands`, `groups`, `sample_ring` and `bus`
+- `rtl`: the gateway as compiled gateware
+- `scara`, `walker`: built-in robots with the joints of `servo`; `tosnet`: the SCARA as a node of a TosNet network
+- `simulated`, `registers`, `core_models`: the robot of a spec, moved by a model; `simulating`: its gateway
+- `build`: builds a gateway from a URL or the options of a command; `simulate` does so for programs
+- `line`, `shared_line`, `uart`, `faults`, `udp_relay`: rates, collisions and faults between a gateway and its host
+- `model_clock`, `transport`, `serving`: run a gateway on an event loop, in this process or for other programs
+- `ft232h`: a simulated USB chip with a gateway at its pins; `modelled_time`: an event loop with simulated time
 
-Everything that takes a `Gateway` takes any of them.
+All of these gateways have the interface `Gateway`, including lines, which are gateways in front of other gateways.
 """
 
 from unity_link.virtual.bus import AccessError, Device

@@ -1,7 +1,7 @@
-"""Builds a virtual gateway from what a user says, in a URL or on the command line: robot, widths, faults.
+"""Builds a virtual gateway from the options of a URL or a command: robot, configuration, faults.
 
-What stands behind the bus is named by one text: nothing for plain memory, a name of `ROBOTS`, or the path of a spec,
-whose registers are memory or the values of a model. A URL says the rest by options, the same ones for each scheme.
+The robot on the bus is given by one text: empty for plain memory, a name of `ROBOTS`, or the path of a spec, whose
+registers are memory or the values of a model. The options in a URL are the same for all schemes.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ M = TypeVar("M", bound="SimulatedRobot")
 
 
 def _attach_tosnet(gateway: BareGateway) -> object:
-    # Imports numpy, by the modules of hardware.
+    # Imported here because it imports numpy.
     from unity_link.virtual.tosnet import ScaraOnTosnet
 
     return ScaraOnTosnet.attach(gateway)
@@ -46,43 +46,43 @@ ROBOTS: dict[str, Callable[[BareGateway], object]] = {
     "tosnet": _attach_tosnet,
     "walker": Walker.attach,
 }
-"""Robots that can stand behind the bus, by name; the empty name is plain memory."""
+"""Functions that attach the built-in robots to a gateway, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
 CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
 """Fields of `GatewayInfo` that a user can choose."""
 ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger", "unchecked"})
-"""Options of a URL that say something of the robot."""
+"""Options of a URL for the robot."""
 
 
 class Wanted(msgspec.Struct, frozen=True, kw_only=True):
-    """Options of a virtual gateway and of the robot behind it."""
+    """Options of a virtual gateway and its robot."""
 
     robot: str = ""
-    """Nothing for plain memory, a name of `ROBOTS`, or the path of a spec."""
+    """Empty for plain memory, a name of `ROBOTS`, or the path of a spec."""
     model: str | None = None
-    """The model of the robot of a spec, as ``my.py:Rover``; None: its registers are memory."""
+    """Model of a spec's robot, such as ``my.py:Rover``; None if its registers are memory."""
     interface: str | None = None
-    """Name of the public interface of the spec, where there are several."""
+    """Name of the public interface, if the spec has several."""
     configuration: dict[str, int] = {}
-    """Fields of `GatewayInfo` that are not as in the gateware's default build, or as the spec has them."""
+    """Fields of `GatewayInfo` that differ from the gateware's defaults, or from the spec."""
     rtl: bool = False
-    """Take the compiled gateware instead of the model of it."""
+    """True for compiled gateware, False for the model."""
     unchecked: bool = False
-    """True if the VHDL of a spec's own cores is not compared with its Verilog, for compiled gateware."""
+    """True to use compiled gateware without comparing the VHDL of the spec's own cores with its Verilog."""
     node: int | None = None
-    """Its number on a shared medium."""
+    """Node number on a shared medium; None if the medium is not shared."""
     faults: tuple[str, ...] = ()
-    """Faults of the robot from the beginning: ``stuck``, ``left.speed:timeout``."""
+    """Faults of the robot that are on from the start, such as ``stuck`` or ``left.speed:timeout``."""
     triggers: dict[str, float] = {}
-    """Groups by name or number whose triggers fire by themselves, and how often a second."""
+    """Rates in Hz of triggers that fire automatically, by name or number of the group."""
 
     @classmethod
     def of_url(cls, url: DriverUrl, robot: str, *, rtl: bool = False) -> Wanted:
-        """Return what a URL says.
+        """Return the options in a URL.
 
         Raises:
-            ArgumentError: for an option that is none.
+            ArgumentError: if the value of an option is invalid.
         """
         return cls(
             robot=robot,
@@ -98,15 +98,15 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def has_spec(self) -> bool:
-        """Return whether the robot is that of a spec."""
+        """True if the robot is that of a spec."""
         return self.robot not in ROBOTS
 
 
 def parse_trigger(text: str) -> tuple[str, float]:
-    """Take ``state:10`` apart: the trigger of a group, and how often it fires in a second.
+    """Return the group and the rate in Hz from a text such as ``state:10``.
 
     Raises:
-        ArgumentError: for what is no such text.
+        ArgumentError: if the text has another form.
     """
     group, _, rate = text.rpartition(":")
     try:
@@ -124,20 +124,21 @@ def build_gateway(
     seed: int = 0,
     bytes_per_second: float | None = None,
 ) -> Gateway:
-    """Build a gateway, behind a line.
+    """Build a gateway at a line.
 
     Args:
-        wanted: what is wanted, or the robot alone.
-        configuration: of a gateway of which the robot alone was said.
-        node: likewise.
-        chances: probabilities of `CHANCES`, for each byte in both directions.
-        seed: chooses the course of the noise; both directions have their own.
-        bytes_per_second: rate of a line with the FIFOs of the configuration, None for one without limit.
+        wanted: all options, or the robot alone.
+        configuration: fields of `GatewayInfo`, if `wanted` is the robot alone.
+        node: node number, if `wanted` is the robot alone.
+        chances: probabilities of `CHANCES` for each byte, in both directions.
+        seed: seed of the noise.
+        bytes_per_second: rate of the line, which has the FIFOs of the configuration; None for no limit.
 
     Raises:
-        ArgumentError: for an unknown robot, a value that no gateway can have, or one that was not compiled.
-        ConnectError: where the gateware can't be compiled here.
-        SpecError: with everything that is wrong with a spec.
+        ArgumentError: if the robot is unknown, no gateway can have one of the values, or the gateware of the
+            configuration is not in this installation.
+        ConnectError: if the gateware cannot be compiled on this machine.
+        SpecError: if the spec has faults; the error lists all of them.
     """
     if isinstance(wanted, str):
         wanted = Wanted(robot=wanted, configuration=dict(configuration or {}), node=node)
@@ -151,10 +152,16 @@ def put_behind_line(
     seed: int = 0,
     bytes_per_second: float | None = None,
 ) -> Gateway:
-    """Put a gateway behind a line that is slow or spoils bytes, as `build_gateway`; else return it as it is.
+    """Return a gateway at a line with a limited rate, noise or both, or the gateway itself if neither is requested.
+
+    Args:
+        bare: the gateway.
+        chances: as in `build_gateway`.
+        seed: as in `build_gateway`.
+        bytes_per_second: as in `build_gateway`.
 
     Raises:
-        ArgumentError: for a value that no line can have.
+        ArgumentError: if no line can have one of the values.
     """
     gateway: Gateway = bare
     if bytes_per_second is not None:
@@ -181,17 +188,17 @@ def build_nodes(
     """Build an RS-485 line with a gateway for each node.
 
     Args:
-        nodes: their numbers.
-        baud: of the line.
-        configuration: as of `build_gateway`, of each node.
-        chances: as of `build_gateway`, of the line.
-        seed: as of `build_gateway`.
-        on_collision: is told in a sentence when two send at the same time.
-        rtl: take the compiled gateware instead of the model of it.
+        nodes: numbers of the nodes.
+        baud: baud rate of the line.
+        configuration: fields of `GatewayInfo` of each node.
+        chances: probabilities of `CHANCES` for each byte on the line.
+        seed: seed of the noise.
+        on_collision: is called with a sentence when two drivers are on at the same time.
+        rtl: True for compiled gateware, False for models.
 
     Raises:
-        ArgumentError: for a value that no gateway can have.
-        ConnectError: where the gateware can't be compiled here.
+        ArgumentError: if no gateway can have one of the values.
+        ConnectError: if the gateware cannot be compiled on this machine.
     """
     line = build_shared_line(
         nodes, baud, _info(configuration, _compiled_default() if rtl else None), build=compiled_node if rtl else None
@@ -201,7 +208,7 @@ def build_nodes(
 
 
 def build_bare(wanted: Wanted) -> BareGateway:
-    """Build a gateway without a line, as `build_gateway`; with a spec, and with triggers, a `SimulatedGateway`."""
+    """Build a gateway without a line, as `build_gateway` does; for a spec or triggers, a `SimulatedGateway`."""
     if wanted.has_spec:
         model = None if wanted.model is None else load_model(wanted.model)
         made: BareGateway = simulated(find_interface(wanted.robot, wanted.interface), model, wanted)
@@ -224,10 +231,10 @@ def build_bare(wanted: Wanted) -> BareGateway:
 def simulated(
     interface: Interface, model: type[SimulatedRobot] | None = None, wanted: Wanted | None = None
 ) -> SimulatedGateway:
-    """Build the gateway of an interface with its robot behind it.
+    """Build the gateway of an interface, with its robot.
 
     Raises:
-        ArgumentError: where the model is none of this spec.
+        ArgumentError: if the model does not fit the spec.
     """
     from unity_link.virtual.generics import generics_of, info_of
     from unity_link.virtual.simulated import parse_fault
@@ -273,20 +280,21 @@ def simulate(
     unchecked: bool = False,
     clock_hz: int | None = None,
 ) -> SimulatedGateway:
-    """Return a virtual gateway with the robot of a spec behind it, which `unity_link.connect` opens.
+    """Return a virtual gateway with the robot of a spec; `unity_link.connect` opens it like a URL.
 
     Args:
-        spec: its path.
-        model: a subclass of `SimulatedRobot`; None: the registers are memory.
-        interface: which public interface, where there are several.
-        rtl: take the compiled gateware instead of a model of it.
-        unchecked: build it even if VHDL of the spec's own cores cannot be compared with what GHDL makes of it.
-        clock_hz: frequency of its clock; None: that of a board, and of compiled gateware one that a PC keeps pace with.
+        spec: path of the spec.
+        model: a subclass of `SimulatedRobot`; None if the registers are memory.
+        interface: name of the public interface, if the spec has several.
+        rtl: True for compiled gateware, False for the model.
+        unchecked: True to use compiled gateware without comparing the VHDL of the spec's own cores with its Verilog.
+        clock_hz: clock frequency of the gateway in Hz; None for that of a board, or for compiled gateware one that a PC
+            simulates in real time.
 
     Raises:
-        ArgumentError: where the model is none of this spec, or the clock is too slow for it.
-        ConnectError: where the gateware can't be compiled here.
-        SpecError: with everything that is wrong with the spec.
+        ArgumentError: if the model does not fit the spec, or the clock is too slow for the spec.
+        ConnectError: if the gateware cannot be compiled on this machine.
+        SpecError: if the spec has faults; the error lists all of them.
     """
     configuration = {} if clock_hz is None else {"clock_hz": clock_hz}
     wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl, unchecked=unchecked, configuration=configuration)
@@ -297,8 +305,8 @@ def find_interface(robot: str, name: str | None) -> Interface:
     """Return the interface of a spec.
 
     Raises:
-        ArgumentError: where there is no such file or interface.
-        SpecError: with everything that is wrong with the spec.
+        ArgumentError: if the file or the interface does not exist.
+        SpecError: if the spec has faults; the error lists all of them.
     """
     from unity_link.spec import compile_file
 
@@ -315,11 +323,11 @@ def find_interface(robot: str, name: str | None) -> Interface:
 
 
 async def compile_gateway(wanted: Wanted) -> None:
-    """Compile what `build_gateway` will take for `rtl`, if it is wanted for the first time, while the loop goes on.
+    """Compile the gateware that `build_gateway` needs, unless it is in the cache, without blocking the event loop.
 
     Raises:
-        ArgumentError: for a configuration that there is not.
-        ConnectError: where the gateware can't be compiled here.
+        ArgumentError: if the configuration does not exist.
+        ConnectError: if the gateware cannot be compiled on this machine.
     """
     from unity_link.virtual.rtl.compiling import compile_beside
     from unity_link.virtual.rtl.specs import make_beside
@@ -354,11 +362,11 @@ def _compiled_default() -> GatewayInfo:
 
 
 def compiled_node(info: GatewayInfo, node: int) -> BareGateway:
-    """Build the compiled gateware of a node on a medium that several share.
+    """Build the compiled gateware of a node on a shared medium.
 
     Raises:
-        ArgumentError: for a value that no gateway can have.
-        ConnectError: where the gateware can't be compiled here.
+        ArgumentError: if no gateway can have one of the values.
+        ConnectError: if the gateware cannot be compiled on this machine.
     """
     from unity_link.virtual.rtl import RtlGateway
     from unity_link.virtual.rtl.specs import configuration_of_node, made
@@ -367,7 +375,7 @@ def compiled_node(info: GatewayInfo, node: int) -> BareGateway:
 
 
 def _build_of(wanted: Wanted) -> Configuration:
-    """Return which build of the gateware is wanted: that of a spec, that of a robot's name, or one by its fields."""
+    """Return the requested build of the gateware: that of a spec, of a built-in robot, or of some fields."""
     from unity_link.virtual.rtl.configurations import choose, configurations
 
     if wanted.has_spec:

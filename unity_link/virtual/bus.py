@@ -1,7 +1,7 @@
-"""The bus behind the virtual gateway: plain memory everywhere, and devices at the addresses that they are attached to.
+"""The bus of the virtual gateway: plain memory, and devices at the addresses to which they are attached.
 
-A device is the one way to put behaviour behind an address: a robot, a queue, an address that fails. It sees offsets in
-the addresses it was attached to, and the time of each access, so that a simulation can move on by exactly that much.
+A device gives addresses a behaviour, such as that of a robot, of a queue, or of addresses whose accesses fail. It gets
+the offset in its addresses and the time of each access, so that a simulation can advance to exactly that time.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ _LOG = logging.getLogger("unity_link.virtual")
 
 
 class AccessError(Exception):
-    """An access that the bus ends with an error; `code` is `ErrorCode.BUS_ERROR` or `ErrorCode.BUS_TIMEOUT`."""
+    """A failed bus access; `code` is `ErrorCode.BUS_ERROR` or `ErrorCode.BUS_TIMEOUT`."""
 
     def __init__(self, code: ErrorCode) -> None:
         super().__init__(code.name)
@@ -30,21 +30,21 @@ class AccessError(Exception):
 
 
 class Device(Protocol):
-    """Interface of devices behind addresses of a gateway.
+    """Interface of devices on the bus of a gateway.
 
-    `offset` counts the addresses that the device was attached to, `now` is the time of the access in seconds; it never
-    goes back. Raise `AccessError` to end an access with an error.
+    `offset` is the index of the address among those that the device is attached to. `now` is the time of the access in
+    seconds; it never goes back. A device raises `AccessError` if an access fails.
     """
 
     def read(self, offset: int, now: float) -> int:
-        """Return the word; a negative number is put on the bus in two's complement."""
+        """Return the word; the bus converts a negative number to two's complement."""
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Take a word, an unsigned number."""
+        """Write a word, an unsigned number."""
 
 
 class PlainMemory(dict[int, int]):
-    """Words by address; what was never written is 0."""
+    """Words by address; words that were never written are 0."""
 
     def __init__(self, info: GatewayInfo) -> None:
         super().__init__()
@@ -65,8 +65,8 @@ class PlainMemory(dict[int, int]):
 class Devices(dict[int, tuple[Device, int]]):
     """Devices and offsets by address.
 
-    A device that raises anything but `AccessError`, or reads as what is no whole number, has a bug: the access ends
-    with a bus error, and the log has the traceback, once for each type of exception.
+    If a device raises an exception other than `AccessError`, or returns a word that is not an integer, the access ends
+    with a bus error. The traceback is logged once for each device and type of exception.
     """
 
     def __init__(self, address_bits: int) -> None:
@@ -75,10 +75,10 @@ class Devices(dict[int, tuple[Device, int]]):
         self._told: set[tuple[int, type[BaseException]]] = set()
 
     def attach(self, device: Device, addresses: Iterable[int]) -> list[int]:
-        """Put a device behind addresses, and return these; the first is its offset 0.
+        """Attach a device to addresses, whose first one has offset 0, and return the addresses as a list.
 
         Raises:
-            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
+            ArgumentError: if an address does not fit or has a device, or the object is not a device.
         """
         _check(device)
         places = list(addresses)
@@ -91,10 +91,10 @@ class Devices(dict[int, tuple[Device, int]]):
         return places
 
     def read(self, address: int, now: float) -> int:
-        """Read a word of a device, which may be negative.
+        """Return a word of a device, which may be negative.
 
         Raises:
-            AccessError: where the device refuses, or has a bug.
+            AccessError: if the device refuses the access, or fails.
         """
         device, offset = self[address]
         try:
@@ -108,7 +108,7 @@ class Devices(dict[int, tuple[Device, int]]):
         """Write a word to a device.
 
         Raises:
-            AccessError: where the device refuses, or has a bug.
+            AccessError: if the device refuses the access, or fails.
         """
         device, offset = self[address]
         try:
@@ -127,15 +127,15 @@ class Devices(dict[int, tuple[Device, int]]):
 
 
 class DevicesEverywhere(Devices):
-    """Devices by address, and one behind all other addresses, which are its offsets.
+    """Devices by address, and a default device for all other addresses; its offsets are the addresses.
 
     Args:
-        devices: those of addresses of their own.
-        elsewhere: the one behind all others.
+        devices: devices that are attached to certain addresses.
+        elsewhere: the default device.
         address_bits: width of addresses.
 
     Raises:
-        ArgumentError: for an object that is no device.
+        ArgumentError: if the object is not a device.
     """
 
     def __init__(self, devices: Devices, elsewhere: Device, address_bits: int) -> None:
@@ -161,22 +161,22 @@ def _check(device: Device) -> None:
 
 
 class ModelBus:
-    """Memory and devices of one gateway. Addresses and words given to its methods are in range."""
+    """Memory and devices of one gateway. Callers must check that addresses and words are in range."""
 
     def __init__(self, info: GatewayInfo) -> None:
         self.memory = PlainMemory(info)
         self.devices = Devices(info.address_bits)
-        """Every other address is memory."""
+        """Devices by address; all other addresses are memory."""
         self._address_bits = info.address_bits
         self._word_mask = (1 << info.data_bits) - 1
         self._address_mask = (1 << info.address_bits) - 1
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, as `Devices.attach`."""
+        """Attach a device to addresses, as `Devices.attach` does."""
         self.devices.attach(device, addresses)
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has none, in place of memory; its offsets are the addresses."""
+        """Attach a device to all addresses without one, in place of memory; its offsets are the addresses."""
         self.devices = DevicesEverywhere(self.devices, device, self._address_bits)
 
     def detach(self, addresses: Iterable[int]) -> None:
@@ -185,20 +185,20 @@ class ModelBus:
             self.devices.pop(address, None)
 
     def read(self, address: int, now: float) -> int:
-        """Read one word.
+        """Return the word at an address.
 
         Raises:
-            AccessError: where the device behind the address refuses.
+            AccessError: if the device at the address refuses the access.
         """
         if address not in self.devices:
             return self.memory[address]
         return self.devices.read(address, now) & self._word_mask
 
     def write(self, address: int, value: int, now: float) -> None:
-        """Write one word.
+        """Write a word to an address.
 
         Raises:
-            AccessError: where the device behind the address refuses.
+            AccessError: if the device at the address refuses the access.
         """
         if address not in self.devices:
             dict.__setitem__(self.memory, address, value)
@@ -212,14 +212,14 @@ class ModelBus:
         return [index & self._address_mask for index in range(address, address + count)]
 
     def read_words(self, addresses: Sequence[int], now: float) -> list[int]:
-        """Read words one after the other; stops with `AccessError` at the first that fails."""
+        """Return the words at addresses, read in order; raise `AccessError` at the first access that fails."""
         if self.devices:
             return [self.read(address, now) for address in addresses]
         memory = self.memory
         return [memory[address] for address in addresses]
 
     def write_words(self, addresses: Sequence[int], values: Sequence[int], now: float) -> None:
-        """Write words one after the other; stops with `AccessError` at the first that fails."""
+        """Write words to addresses in order; raise `AccessError` at the first access that fails."""
         if self.devices:
             for address, value in zip(addresses, values, strict=True):
                 self.write(address, value, now)

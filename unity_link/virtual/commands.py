@@ -1,6 +1,7 @@
-"""The effect of each request in the virtual gateway, once its frame and its sequence are found right.
+"""Executes requests in the virtual gateway, after their frames and IDs were checked.
 
-Each method checks the ranges (error 06), accesses the bus (04, 05), and returns what was read, if anything.
+Each method checks the ranges of fields (error 06), accesses the bus (errors 04 and 05), and returns the words that were
+read, if any.
 """
 
 from __future__ import annotations
@@ -23,18 +24,18 @@ ADAPTIVE = 2
 
 
 class FieldRangeError(Exception):
-    """A field that the gateway refuses by error 06."""
+    """A field is out of range; the gateway answers with error 06."""
 
     code = ErrorCode.OUT_OF_RANGE
 
 
 class CommandSet:
-    """The requests that need no knowledge of frames and sessions.
+    """All requests that do not depend on frames or sessions.
 
     Args:
         info: the gateway's configuration.
-        bus: what reads and writes go to.
-        groups: what the group commands go to.
+        bus: bus for reads and writes.
+        groups: groups for the group commands.
     """
 
     def __init__(self, info: GatewayInfo, bus: ModelBus, groups: PublishGroups) -> None:
@@ -44,9 +45,9 @@ class CommandSet:
         self._last_address = (1 << info.address_bits) - 1
         self._last_word = (1 << info.data_bits) - 1
         self.for_program = False
-        """True in a session that a program began, in which samples are checked frames."""
+        """True in a session that a program began with a checked `K`; samples are then checked frames."""
         self.send_immediate = ADAPTIVE
-        """Send-immediate mode of responses; it changes nothing here, as nothing here waits for a full packet."""
+        """Send-immediate mode of responses; without effect here, because the model never waits for a full packet."""
         self.run: dict[str, Callable[..., Reads]] = {
             "R": self._read,
             "RM": self._read_block,
@@ -62,10 +63,13 @@ class CommandSet:
             "GP": self._publish_group,
             "I": self._set_send_immediate,
         }
-        """Functions of time and fields by command; return what was read, raise `FieldRangeError` or `AccessError`."""
+        """Function of each command. Arguments are the time and the fields; the result are the words that were read.
+
+        The functions raise `FieldRangeError` or `AccessError`.
+        """
 
     def reset(self) -> None:
-        """Go back to the state after power-up, as far as it is kept here."""
+        """Restore the state after power-up."""
         self.for_program = False
         self.send_immediate = ADAPTIVE
 
@@ -146,7 +150,7 @@ class CommandSet:
         return None
 
     def start_session(self, *, for_program: bool) -> None:
-        """Stop all groups, forget their samples that wait, and go back to the adaptive mode."""
+        """Stop all groups, drop their pending samples, and set the adaptive send-immediate mode."""
         self._groups.stop_all()
         self._groups.ring.clear()
         self.send_immediate = ADAPTIVE

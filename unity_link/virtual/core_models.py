@@ -1,4 +1,4 @@
-"""Stand-ins for the cores of a simulated robot: quick models, or the pins of compiled gateware; and their clock."""
+"""The cores of a simulated robot and their clock: models of the cores, or compiled gateware with simulated pins."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class PinsOfCore(Protocol):
-    """Levels of the pins of a core by their names, and more of them, as `unity_link.cores.Pins` has it."""
+    """Levels of a core's pins by name, with the methods of `unity_link.cores.Pins`."""
 
     def __getitem__(self, name: str) -> int: ...
     def __setitem__(self, name: str, level: int) -> None: ...
@@ -24,24 +24,24 @@ class PinsOfCore(Protocol):
     def __iter__(self) -> Iterator[str]: ...
 
     def has(self, name: str) -> bool:
-        """Return whether the core has this pin."""
+        """Return True if the core has this pin."""
 
     def drive(self, name: str, level: int, cycle: int) -> None:
         """Drive a pin from a clock cycle on."""
 
     def duty(self, name: str) -> float | None:
-        """Return in which part of the clock cycles since the last call a pin was 1."""
+        """Return the fraction of the clock cycles since the last call in which a pin was 1; None if there were none."""
 
     def steps(self, pulse: str, direction: str) -> int:
-        """Return the pulses of an output, those down taken away."""
+        """Return the number of pulses with the direction 0, minus those with the direction 1."""
 
 
 class _Around:
-    """The simulation around one model.
+    """The simulation as one core's model sees it.
 
     Args:
-        models: all of the robot.
-        path: of the component.
+        models: all core models of the robot.
+        path: path of the core's component.
     """
 
     def __init__(self, models: CoreModels, path: str) -> None:
@@ -50,12 +50,12 @@ class _Around:
 
     @property
     def clock_hz(self) -> int:
-        """Frequency of the gateway's clock."""
+        """Clock frequency of the gateway in Hz."""
         return self._models.clock_hz
 
     @property
     def now(self) -> int:
-        """Cycles of the gateway's clock since its reset."""
+        """Clock cycles since the gateway's reset."""
         return self._models.now
 
     def trigger(self, group: str) -> None:
@@ -64,28 +64,28 @@ class _Around:
 
     @property
     def is_armed(self) -> bool:
-        """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
+        """True if all leases of the component's signals, and of the signals that it times, are armed or it has none."""
         return self._models.registers.is_armed(self._path)
 
     @property
     def is_finishing(self) -> bool:
-        """Return whether that lease takes nothing more, and is armed for what is scheduled; False without one."""
+        """True if one of these leases only finishes the scheduled batches; False without a lease."""
         return self._models.registers.is_finishing(self._path)
 
     @property
     def is_empty(self) -> bool:
-        """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
+        """True if the schedules of all signals that the component guards are empty; the component is a lease."""
         return self._models.is_empty(self._path)
 
     def put(self, name: str, value: Any) -> None:
-        """Set what programs read of a signal; a plant goes on with the value that it has set."""
+        """Set the value of a signal that programs read; a model of the plant still sees its own value."""
         self._models.registers.cells[f"{self._path}.{name}"].put(value)
 
     def commit(self, words: Mapping[int, int]) -> None:
-        """Write words of 32 bits to signals that the component times, by their places on its stage."""
+        """Write 32-bit words to signals that the component times, by their places on its stage."""
         for cell in self._models.registers.commit(self._path, words):
             self._models.written(cell.signal.path)
-            self._models.tell(cell)
+            self._models.notify(cell)
 
     def make_safe(self) -> None:
         """Set all signals that the component guards to their safe values."""
@@ -93,12 +93,12 @@ class _Around:
 
 
 class _AroundPins(_Around):
-    """Compiled gateware around the pins of one core.
+    """The simulation as the model of one core's pins sees it; the core itself is in compiled gateware.
 
     Args:
-        models: all of the robot.
-        path: of the component.
-        pins: its pins.
+        models: all core models of the robot.
+        path: path of the core's component.
+        pins: pins of the core.
     """
 
     def __init__(self, models: CoreModels, path: str, pins: PinsOfCore) -> None:
@@ -106,7 +106,7 @@ class _AroundPins(_Around):
         self.has, self.drive, self.duty, self.steps = pins.has, pins.drive, pins.duty, pins.steps
 
     def show(self, name: str, value: Any) -> None:
-        """Set the value of a signal that a plant reads."""
+        """Set the value of a signal that a model of the plant reads."""
         self._models.registers.cells[f"{self._path}.{name}"].show(value)
 
 
@@ -114,40 +114,48 @@ class CoreModels:
     """The models of all cores of a robot.
 
     Args:
-        registers: of the robot.
+        registers: registers of the robot.
         trigger: fires the trigger of a group.
-        tell: called with a signal that a core has written.
+        notify: is called with each signal that a core has written.
     """
 
     def __init__(
-        self, registers: Registers, trigger: Callable[[str], None], tell: Callable[[Cell], None] = lambda _: None
+        self, registers: Registers, trigger: Callable[[str], None], notify: Callable[[Cell], None] = lambda _: None
     ) -> None:
         self.registers = registers
         self.trigger = trigger
-        self.tell = tell
+        self.notify = notify
         self.now = 0
-        """Cycles of the gateway's clock up to which time has passed."""
+        """Clock cycles of the gateway that have passed."""
         self.clock_hz = GatewayInfo().clock_hz
         self._ticks_at: Callable[[float], int] = lambda now: int(now * self.clock_hz)
         self.at_pins: dict[str, AtPins] = {}
-        """The pin sides of cores of compiled gateware, by the paths of their components."""
+        """Models of the pins of cores in compiled gateware, by path of the component."""
         self._placed: list[tuple[ComponentSpec, Any]] = []
         self._models: list[Model] = []
         self._of_signal: dict[str, tuple[Model, str]] = {}
 
     def take_clock(self, clock_hz: int, ticks_at: Callable[[float], int]) -> None:
-        """Take the clock of the gateway before the robot."""
+        """Set the clock of the gateway.
+
+        Args:
+            clock_hz: frequency in Hz.
+            ticks_at: returns the number of clock cycles at a time in seconds.
+        """
         self.clock_hz, self._ticks_at = clock_hz, ticks_at
 
     def add(self, component: ComponentSpec, part: Any) -> Callable[[str], None]:
-        """Make the model of a component, where its core has one; return a function to call for pins that are set."""
+        """Create the model of a component, if its core has one.
+
+        Return a function that must be called with the name of each pin that the user's model sets.
+        """
         if component.core is not None:
             self._placed.append((component, part))
         kinds = classes_of(component.core, Model)
         if not kinds:
             return lambda _: None
         model = kinds[0](component, part, _Around(self, component.path))
-        # What a schedule has for the cycle in which a lease ends acts in it, and is safe behind it.
+        # Schedules come before leases: a batch that is due in the cycle in which a lease ends still takes effect.
         self._models.insert(0 if component.core is not None and component.core.stages else len(self._models), model)
         self._of_signal |= {signal.path: (model, signal.label) for signal in component.signals}
         assert component.core is not None
@@ -155,10 +163,10 @@ class CoreModels:
         return lambda name: model.written(name) if name in inputs else None
 
     def meet_pins(self, pins: Mapping[str, PinsOfCore]) -> None:
-        """Leave the cores to compiled gateware, and meet them at their pins.
+        """Replace the models of the cores by compiled gateware, with models of its pins.
 
         Args:
-            pins: by the paths of their components.
+            pins: pins of each core, by path of the component.
         """
         self._models.clear()
         self._of_signal.clear()
@@ -168,7 +176,7 @@ class CoreModels:
                 self.at_pins[component.path] = kind(component, part, around)
 
     def step(self, now: float) -> None:
-        """Let time pass up to an instant of the callers' clock (seconds)."""
+        """Advance all models to a time in seconds on the callers' clock."""
         if not (self._models or self.at_pins):
             return
         ticks = max(self.now, self._ticks_at(now))
@@ -183,26 +191,26 @@ class CoreModels:
                 return
 
     def make_safe(self, lease: str) -> None:
-        """Set all signals that a lease guards to their safe values, and stop what writes them."""
+        """Set all signals that a lease guards to their safe values, and stop the cores that write them."""
         self.registers.make_safe(lease)
         for model in self._models:
             if lease in self.registers.leases_of(model.component.path):
                 model.disarmed()
 
     def is_empty(self, lease: str) -> bool:
-        """Return whether nothing waits in the schedules of what a lease guards."""
+        """Return True if the schedules of all signals that a lease guards are empty."""
         leases_of = self.registers.leases_of
         return all(model.is_empty for model in self._models if lease in leases_of(model.component.path))
 
     def written(self, path: str) -> None:
-        """Pass the value that was written to a signal on to the model of its core."""
+        """Notify the model of a core that one of its signals was written."""
         found = self._of_signal.get(path)
         if found is not None:
             model, name = found
             model.written(name)
 
     def reset(self) -> None:
-        """Begin anew: the gateway's clock does so too."""
+        """Reset all models after a reset of the gateway, whose clock starts at 0 again."""
         self.now = 0
         for model in (*self._models, *self.at_pins.values()):
             model.reset()

@@ -1,8 +1,8 @@
-"""Faults, on purpose and repeatably: addresses that fail, and bytes that are lost, damaged or doubled.
+"""Repeatable faults: addresses whose accesses fail, and bytes or datagrams that are lost, damaged, doubled or late.
 
-`Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
-them between a gateway and its host, and is a gateway itself. `Straying` does to datagrams what networks do;
-`unity_link.virtual.udp_relay` puts two of them between sockets.
+`Failing` is a device whose accesses fail. `Noise` damages one stream of bytes; `NoisyLine` is a gateway with `Noise` in
+both directions to another gateway. `Straying` loses, doubles and delays datagrams; `unity_link.virtual.udp_relay` has
+one for each direction.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ T = TypeVar("T", default=Any)
 
 
 class Failing:
-    """A device of which every access fails, by default as where nothing answers."""
+    """A device whose accesses all fail, by default with a timeout, as at an address without a slave."""
 
     def __init__(self, code: ErrorCode = ErrorCode.BUS_TIMEOUT) -> None:
         self._code = code
@@ -46,18 +46,18 @@ class Failing:
 
 
 class Noise:
-    """Spoils a stream of bytes; the same seed spoils the same bytes, however the stream is cut into pieces.
+    """Damages a stream of bytes; with the same seed always the same bytes, however the stream is divided.
 
     Args:
-        seed: chooses one of many courses of events.
+        seed: seed of the random faults.
         loss: probability that a byte is lost.
-        flip: probability that one of its bits is inverted.
-        double: probability that it arrives twice.
-        stall: probability that the stream stands still before it.
-        stall_seconds: for how long.
+        flip: probability that one bit of a byte is inverted.
+        double: probability that a byte arrives twice.
+        stall: probability that the stream pauses before a byte.
+        stall_seconds: length of a pause in seconds.
 
     Raises:
-        ArgumentError: for probabilities that are none, or more than 1 in total.
+        ArgumentError: if a probability is not from 0 to 1, or their sum exceeds 1.
     """
 
     def __init__(
@@ -76,11 +76,11 @@ class Noise:
         self._kinds = list(chances)
         self._bounds = list(itertools.accumulate(chances.values()))
         self._log_of_passing = math.log(1 - self._total) if self._total < 1 else -math.inf
-        self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
+        self._random = random.Random(seed)  # noqa: S311  (it must be repeatable)
         self._until_next = self._draw()
 
     def spoil(self, data: bytes) -> list[bytes]:
-        """Return what becomes of `data`: pieces between which the stream stands still; most often it is one."""
+        """Return the damaged `data`, divided at the pauses of the stream; mostly one piece."""
         index, size = self._until_next, len(data)
         if index >= size:
             self._until_next = index - size
@@ -103,7 +103,7 @@ class Noise:
         return [*pieces, bytes(piece)]
 
     def _draw(self) -> int:
-        """Return how many bytes pass before the next that does not pass unharmed."""
+        """Return the number of bytes without a fault before the next byte with one."""
         if self._total == 0:
             return sys.maxsize
         if self._total == 1:
@@ -112,21 +112,21 @@ class Noise:
 
 
 class Straying(Generic[T]):
-    """Faults that a network makes to the datagrams of one direction: it loses, doubles and delays them, each by itself.
+    """Faults of a network in one direction: each datagram may be lost, late, or arrive twice.
 
-    How late a datagram is counts in others, not in seconds: from one to `latest` of them overtake it, each power of two
-    as likely as the next. So neighbours change their places, and what is late by thousands comes as well. The same seed
-    does the same to the same datagrams.
+    Lateness is a number of datagrams, not a time: 1 to `latest` later datagrams overtake a late one. The logarithm of
+    this number is uniformly distributed, so that neighbours change places as often as datagrams are very late. The same
+    seed always has the same faults.
 
     Args:
-        seed: chooses one of many courses of events.
+        seed: seed of the random faults.
         loss: probability that a datagram never arrives.
-        late: probability that it is late.
-        double: probability that it arrives at once, and once more, late.
-        latest: how many others a late one lets pass at most.
+        late: probability that a datagram is late.
+        double: probability that a datagram arrives at once, and a second time late.
+        latest: largest number of datagrams that overtake a late one.
 
     Raises:
-        ArgumentError: for probabilities that are none, or more than 1 in total.
+        ArgumentError: if a probability is not from 0 to 1, or their sum exceeds 1.
     """
 
     def __init__(
@@ -136,13 +136,13 @@ class Straying(Generic[T]):
         self._kinds = [*chances, ""]
         self._weights = [*chances.values(), 1 - _total(chances)]
         self._latest = latest
-        self._random = random.Random(seed)  # noqa: S311  (repeatable is what is wanted)
+        self._random = random.Random(seed)  # noqa: S311  (it must be repeatable)
         self._numbers = itertools.count()
         self._late: list[tuple[int, int, T]] = []
-        """Datagrams that are still on their way, each with the number of the datagram behind which it arrives."""
+        """Heap of late datagrams: number of the datagram after which each arrives, its own number, and its data."""
 
     def carry(self, datagram: T) -> list[T]:
-        """Return what arrives when a datagram is sent."""
+        """Return the datagrams that arrive when a datagram is sent."""
         number = next(self._numbers)
         kind = self._random.choices(self._kinds, self._weights)[0]
         if kind in ("late", "double"):
@@ -166,12 +166,12 @@ def _total(chances: Mapping[str, float]) -> float:
 
 
 def _earlier(one: float | None, other: float | None) -> float | None:
-    """Return the earlier of two times, of which each may be none."""
+    """Return the earlier of two times; None is never."""
     return one if other is None or (one is not None and one <= other) else other
 
 
 class _Direction:
-    """One direction of a line: what is held back, and until when."""
+    """One direction of a line: bytes that a pause holds back, with the times at which they arrive."""
 
     def __init__(self, noise: Noise) -> None:
         self._noise = noise
@@ -198,12 +198,12 @@ class _Direction:
 
 
 class NoisyLine(Gateway):
-    """A gateway behind a line that spoils bytes.
+    """A gateway at a line that damages bytes.
 
     Args:
-        gateway: what is behind the line.
-        towards: what happens to the bytes on their way to the gateway.
-        back: what happens to those that it sends.
+        gateway: the gateway at the other end of the line.
+        towards: faults of the bytes to the gateway.
+        back: faults of the bytes from the gateway.
     """
 
     def __init__(self, gateway: Gateway, towards: Noise, back: Noise) -> None:
@@ -219,36 +219,36 @@ class NoisyLine(Gateway):
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the gateway, by address."""
+        """Words of the gateway's memory, by address."""
         return self._gateway.memory
 
     @property
     def waiting(self) -> int:
-        """Bytes that have not reached the gateway yet, or wait there, or on their way back."""
+        """Number of bytes on the line in either direction, and unprocessed in the gateway."""
         return self._towards.held_bytes + self._gateway.waiting + self._back.held_bytes
 
     @property
     def refusal(self) -> str:
-        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        """Reason why the robot refuses all accesses; empty if it does not."""
         return self._gateway.refusal
 
     @property
     def leaves_time_out(self) -> bool:
-        """Return whether the gateway leaves out what it is too late for."""
+        """True if the gateway skips time for which it is too late."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which the gateway has something to do, or a stall ends."""
+        """Time at which the gateway has something to do, or a pause of the line ends."""
         return _earlier(self._next_at_gateway(), self._back.next_due)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds, and give those that arrive back at once."""
+        """Send bytes to the gateway at the time `now` in seconds, and return the bytes that arrive from it at once."""
         self._towards.put(data, now)
         return self.advance(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the bytes that arrive back; see `Gateway`."""
+        """Advance to the time `now`, and return the bytes that arrive from the gateway; see `Gateway`."""
         arrived, reached = b"", -math.inf
         while (due := self._next_at_gateway()) is not None and due <= now:
             self._step(due, None if room is None else room - len(arrived))
@@ -260,15 +260,15 @@ class NoisyLine(Gateway):
         return arrived
 
     def _next_at_gateway(self) -> float | None:
-        """Return the instant of the next event at the gateway's end of the line."""
+        """Return the time of the next event at the gateway's end of the line."""
         return _earlier(self._towards.next_due, self._gateway.next_due)
 
     def _step(self, now: float, room: int | None) -> None:
         data = self._towards.take(now)
         if self._back.held_bytes >= HIGH_WATER:
-            # A line that stands still takes nothing from a gateway, which loses its samples.
+            # While the line pauses, it accepts no bytes, so that the gateway loses its samples.
             room = 0
-        # To receive, a gateway advances first; it does not know of a medium without room.
+        # `receive` advances the gateway without a limit of bytes, so apply the limit before.
         if room is not None or not data:
             self._send_back(self._gateway.advance(now, room), now)
         if data:

@@ -1,16 +1,16 @@
-"""The virtual gateway: the whole protocol as a model without I/O and without a clock.
+"""The virtual gateway: a model of the whole protocol, without I/O and without a clock.
 
-Bytes and the time go in, bytes come out; the gateware answers the same bytes. Everything that happens at the gateway
-happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
-that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
+The caller passes received bytes and the time, and gets the bytes to send; the gateware sends the same bytes. The model
+works only inside `receive` and `advance`, so that a test can examine it between any two bytes. The checks have the
+order of docs/protocol.md, "Errors". Each of these steps either answers or calls the next one:
 
 `receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway.session`) -> `_execute`
-(range, bus). Reads, and writes with the expected ID, of one word are most of the traffic and take a short way,
-`_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
+(range, bus). Most requests read or write a single word. They take a shorter path, `_quick_read` and `_quick_write`,
+with exactly the same results; if the shorter path does not apply, it returns None before it changes anything.
 
-The model answers at once and takes as many bytes as it is given. What a line and its FIFOs do to that is modelled in
-front of it: `unity_link.virtual.line` and `unity_link.virtual.faults`. What these have no room for are samples alone:
-they wait here, and while some do, they take turns with the responses, as in the gateware, and all leave before the
+The model answers at once, and accepts any number of bytes. Rates and FIFOs of a line are modelled in front of it, by
+`unity_link.virtual.line` and `unity_link.virtual.faults`. Only samples may have to wait in the model until the line has
+room. As in the gateware, pending samples and responses then alternate, and all pending samples are sent before the
 response to `K` or a group command.
 """
 
@@ -45,70 +45,71 @@ _BROADCAST = 0xFF
 _PREFIX_SIZE = 3
 _LOWER_R, _LOWER_W = b"rw"
 _BEHIND_SAMPLES = frozenset({"GS", "GN", "GX", "GP"})
-"""Commands whose answer is behind every sample that was taken before it."""
+"""Commands whose response follows all samples that were taken before it."""
 _DEFAULT_INFO = GatewayInfo()
 
 
 @runtime_checkable
 class Gateway(ClockedGateway, Protocol):
-    """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either.
+    """Interface of all gateways: the model, compiled gateware, and lines in front of either.
 
-    What subclasses it is a `unity_link.transport.Medium`: `unity_link.connect` opens it in place of a URL.
+    A subclass is a `unity_link.transport.Medium`, so that `unity_link.connect` opens it like a URL.
     """
 
     info: GatewayInfo
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the gateway, by address."""
+        """Words of the gateway's memory, by address."""
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
-        """Connect a protocol to the gateway, as a driver does to a medium."""
+        """Connect a protocol to the gateway, as a driver connects it to a medium."""
         transport = GatewayTransport(self, protocol)
         protocol.connection_made(transport)
         return transport
 
 
 class BareGateway(Gateway, Protocol):
-    """A gateway without a line before it, whose bus and pins are at hand: this model, or the compiled gateware."""
+    """A gateway without a line, with access to its bus and its pins: the model, or compiled gateware."""
 
     def reset(self) -> None:
-        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        """Restore the state after power-up; memory and devices keep theirs."""
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, which have none; the first is its offset 0."""
+        """Attach a device to addresses without one; the first address has offset 0."""
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has none, in place of memory; its offsets are the addresses."""
+        """Attach a device to all addresses without one, in place of memory; its offsets are the addresses."""
 
     def detach(self, addresses: Iterable[int]) -> None:
-        """Take the devices of addresses away again."""
+        """Detach the devices from addresses."""
 
     def overflow(self) -> None:
-        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        """Lose bytes before the next received byte: the gateway answers their frame with error 09."""
 
     def ticks_at(self, now: float) -> int:
-        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+        """Return the number of clock cycles from the gateway's reset to the time of an access in seconds."""
 
     def trigger(self, now: float, group: int | None = None) -> None:
-        """Apply a rising edge to the external trigger of a group; the publish comes out of the next call.
+        """Apply a rising edge to the external trigger of a group; the next call returns the samples.
 
         Args:
             now: the time in seconds.
-            group: number of the group; None for the triggers of all.
+            group: number of the group; None for the triggers of all groups.
         """
 
 
 class VirtualGateway(BareGateway):
-    """A gateway with plain memory at every address.
+    """The model of a gateway, with plain memory at all addresses.
 
     Args:
-        info: the configuration that it reports and keeps to.
-        node: its number on a shared medium, 0 to 254 (docs/protocol.md, "Addressed frames"); None for one of its own.
+        info: the gateway's configuration.
+        node: node number on a shared medium, 0 to 254 (docs/protocol.md, "Addressed frames"); None if the medium is not
+            shared.
 
     Raises:
-        ArgumentError: for a node number that does not fit.
-        UnsupportedError: for a configuration that the protocol does not allow.
+        ArgumentError: if the node number is out of range.
+        UnsupportedError: if the protocol does not allow the configuration.
     """
 
     def __init__(self, info: GatewayInfo = _DEFAULT_INFO, *, node: int | None = None) -> None:
@@ -132,7 +133,7 @@ class VirtualGateway(BareGateway):
         self.reset()
 
     def reset(self) -> None:
-        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        """Restore the state after power-up; memory and devices keep theirs."""
         self._session.reset()
         self._text_of = text_of(self.info, from_gateway=False)
         self._tail = b""
@@ -142,12 +143,12 @@ class VirtualGateway(BareGateway):
 
     @property
     def expected(self) -> int:
-        """The next ID expected, -1 before the first session since reset."""
+        """The next expected ID; -1 before the first session since the reset."""
         return self._sequence.expected
 
     @property
     def session(self) -> int:
-        """Number of the session under way, 0 for none."""
+        """Number of the current session; 0 for none."""
         return self._session.state.number
 
     def begin(self, session: int, first: int) -> None:
@@ -155,31 +156,31 @@ class VirtualGateway(BareGateway):
         self._session.begin(session, first)
         self._commands.start_session(for_program=True)
 
-    # What is behind the bus
+    # The bus
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words of plain memory, by address."""
+        """Words of plain memory, by address."""
         return self.bus.memory
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses; the first is its offset 0.
+        """Attach a device to addresses; the first address has offset 0.
 
         Raises:
-            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
+            ArgumentError: if an address does not fit or has a device, or the object is not a device.
         """
         self.bus.attach(device, addresses)
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has none, in place of memory; its offsets are the addresses.
+        """Attach a device to all addresses without one, in place of memory; its offsets are the addresses.
 
         Raises:
-            ArgumentError: for an object that is no device.
+            ArgumentError: if the object is not a device.
         """
         self.bus.attach_elsewhere(device)
 
     def detach(self, addresses: Iterable[int]) -> None:
-        """Take the devices of addresses away again."""
+        """Detach the devices from addresses."""
         self.bus.detach(addresses)
 
     # Time
@@ -191,7 +192,7 @@ class VirtualGateway(BareGateway):
 
     @property
     def flush_wanted(self) -> bool:
-        """Return whether a sample was sent that is to be flushed (group flag bit 2); the one who flushes clears it."""
+        """True after a sample that requests a flush (group flag bit 2) was sent; the medium clears it at the flush."""
         return self.groups.ring.flush_wanted
 
     @flush_wanted.setter
@@ -200,25 +201,25 @@ class VirtualGateway(BareGateway):
 
     @property
     def waiting(self) -> int:
-        """Bytes not looked at yet: always 0."""
+        """Number of unprocessed bytes: always 0."""
         return 0
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which a sample is due next, or one that waits is to be asked for."""
+        """Time at which the next sample is due, or at which the model checks for room for a pending sample."""
         return self.groups.next_due
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass up to `now` (seconds), and return the samples that leave, as far as there is `room`."""
+        """Advance to the time `now` in seconds, and return the samples to send, while there is `room`."""
         self.groups.clock.start(now)
         return self.groups.advance(now, math.inf if room is None else room)
 
     def ticks_at(self, now: float) -> int:
-        """Return the cycles of the gateway's clock since its reset, at an instant (seconds)."""
+        """Return the number of clock cycles from the gateway's reset to a time in seconds."""
         return self.groups.clock.ticks_at(now)
 
     def trigger(self, now: float, group: int | None = None) -> None:
-        """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""
+        """Apply a rising edge to the external trigger of a group, or of all; the next call returns the samples."""
         self.groups.clock.start(now)
         self.groups.trigger(now, group)
         self.wake()
@@ -226,8 +227,8 @@ class VirtualGateway(BareGateway):
     # Frames
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and return what is sent at once."""
-        # What waits was told that there is no room, by `advance`.
+        """Process bytes received at the time `now` in seconds, and return the bytes to send."""
+        # While samples are pending there is no room for them; `advance` set this limit.
         replies = [self.advance(now, 0 if self._waiting else None)]
         data = self._text_of(data)
         lines = (self._tail + data).split(b"\n")
@@ -240,11 +241,11 @@ class VirtualGateway(BareGateway):
         return b"".join(replies)
 
     def overflow(self) -> None:
-        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        """Lose bytes before the next received byte: the gateway answers their frame with error 09."""
         self._bytes_lost = True
 
     def _take_checked(self, lines: list[bytes], now: float, replies: list[bytes]) -> None:
-        """Take frames that all end in LF."""
+        """Process frames that all end with LF."""
         waiting = self._waiting
         read_size, write_size, posted_size = self._quick_sizes
         for line in lines:
@@ -265,7 +266,7 @@ class VirtualGateway(BareGateway):
                 replies.append(self._turn_of_a_sample())
 
     def _take_any(self, data: bytes, now: float, replies: list[bytes]) -> bytes:
-        """Take frames with any ends; return what follows the last end."""
+        """Process frames that end with CR or LF; return the bytes after the last end."""
         pieces = _ENDS.split(data)
         for line, end in zip(pieces[:-1:2], pieces[1::2], strict=True):
             reply = self._answer(line, now, plain=end == b"\r")
@@ -278,7 +279,7 @@ class VirtualGateway(BareGateway):
         self.groups.ring.send_one()
         return self.groups.ring.take()
 
-    def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
+    def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (callers pass it by position)
         if plain:
             return self._framing.plain_reply(body)
         state = self._session.state
@@ -286,7 +287,7 @@ class VirtualGateway(BareGateway):
         return self._packer.pack_one(frame) if state.compact else frame
 
     def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
-        """Return the reply to what stood before an end, behind the samples that come before it."""
+        """Return the reply to a frame, after the samples that must be sent before it."""
         bytes_lost, self._bytes_lost = self._bytes_lost, False
         prefix, muted = b"", False
         if self._node is not None:
@@ -312,7 +313,7 @@ class VirtualGateway(BareGateway):
         return taken.body if isinstance(taken, Answer) else self._execute(taken, now)
 
     def _for_all(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> None:
-        """Execute what is for all nodes, of which none answers: a stateless write alone."""
+        """Execute a broadcast frame, which no node answers; only a posted write without ID is executed."""
         try:
             request = self._session.reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
         except RequestError:
@@ -348,7 +349,7 @@ class VirtualGateway(BareGateway):
         self._commands.start_session(for_program=self._session.state.for_program)
         return self._codec.response(request, self._session.ended)
 
-    # The short way for single words
+    # The shorter path for single words
 
     def _prepare_quick_ways(self) -> None:
         info, overhead = self.info, self._framing.crc.digits + self.info.id_digits + self.info.address_digits + 1
@@ -367,14 +368,20 @@ class VirtualGateway(BareGateway):
         self._damage_reply = self._frame(self._codec.error(ErrorCode.CRC), plain=False)
 
     def _quick_way(self, line: bytes, head: int, answer: Callable[[int], bytes | None]) -> bytes | None:
-        """Answer what may be a request of `head` letters, or give up: `answer` takes its fields as one number."""
+        """Return the reply to a frame, or None if the shorter path does not apply.
+
+        Args:
+            line: the frame without its end.
+            head: number of letters of the command.
+            answer: returns the reply for the fields, which it gets as one number.
+        """
         if self._sequence.expected < 0:
             return None
         digits = self._crc_digits
         check = self._crc_text(line[:-digits], self._session.state.seeds[0])
         if check != line[-digits:]:
             return None if check == line[-digits:].upper() else self._damage_reply
-        # The second digit may be no X, for int() would take 0X for a prefix.
+        # An X as the second digit is invalid, but int() would accept the prefix 0X.
         if not line.isalnum() or line[head + 1] in b"xX":
             return None
         try:
@@ -384,7 +391,7 @@ class VirtualGateway(BareGateway):
         return answer(fields)
 
     def _quick_read(self, fields: int) -> bytes | None:
-        """Answer `r` of plain memory in a session, ahead as well, or give up."""
+        """Return the reply to `r` of plain memory, also out of sequence; None if the shorter path does not apply."""
         number, address = fields >> self._address_shift, fields & self._address_field
         sequence = self._sequence
         if address > self._last_address or address in self.bus.devices:
@@ -393,8 +400,8 @@ class VirtualGateway(BareGateway):
         if not ahead:
             sequence.advance()
         elif ahead <= sequence.mask >> 1:
-            told, sequence.gap_reported = sequence.gap_reported, True
-            if told:
+            is_reported, sequence.gap_reported = sequence.gap_reported, True
+            if is_reported:
                 return b""
             return self._framing.checked(self._codec.out_of_sequence(sequence.expected), self._session.state.seeds[1])
         elif sequence.outcome(number):
@@ -403,7 +410,7 @@ class VirtualGateway(BareGateway):
         return b"%b%b\n" % (body, self._crc_text(body, self._session.state.seeds[1]))
 
     def _quick_write(self, fields: int) -> bytes | None:
-        """Answer `w` to plain memory with the expected ID, or give up."""
+        """Return the reply to `w` of plain memory with the expected ID; None if the shorter path does not apply."""
         number = self._sequence.expected
         if self._quick_post(fields) is None:
             return None
@@ -411,7 +418,7 @@ class VirtualGateway(BareGateway):
         return b"%b%b\n" % (body, self._crc_text(body, self._session.state.seeds[1]))
 
     def _quick_post(self, fields: int) -> bytes | None:
-        """Do the same for `ws`, which has no answer."""
+        """Execute `ws` of plain memory with the expected ID, which has no reply; None as in `_quick_write`."""
         rest, word = fields >> self._data_shift, fields & self._data_field
         number, address = rest >> self._address_shift, rest & self._address_field
         fits = address <= self._last_address and word <= self._last_word
@@ -423,11 +430,11 @@ class VirtualGateway(BareGateway):
 
 
 def _do_nothing() -> None:
-    """Stand in for a caller that needs no waking."""
+    """Do nothing; the default of `wake`."""
 
 
 def _node_number(prefix: bytes) -> int | None:
-    """Return the number in a prefix of `Z` and two hex digits, None where it is none."""
+    """Return the number in a prefix of `Z` and two hex digits; None if the prefix has another form."""
     if len(prefix) != _PREFIX_SIZE or prefix[:1] != b"Z" or not prefix[1:].isalnum():
         return None
     try:

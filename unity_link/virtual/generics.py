@@ -1,4 +1,4 @@
-"""The configuration of a gateway by the names of the gateware's generics, and what it then says of itself."""
+"""Converts between generics of the gateware and the configuration that a gateway reports."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ FEATURES = {
     for name, bit in Feature.__members__.items()
     if bit not in _BY_NUMBERS
 }
-"""Features by the generics that choose them; the number of `groups` and that of the `node` choose the others."""
+"""Feature of each boolean generic; the generics `groups` and `node` select the other features."""
 OPTIONAL = ("masked_write", "queue_commands", "timestamps", "triggers", "send_immediate")
-"""Generics of what takes logic and can be left out, and is in by default."""
-# As in gateware/rtl/unity_link_fifo.vhd.
+"""Generics of optional features that are on by default and use logic."""
+# These must agree with gateware/rtl/unity_link_fifo.vhd.
 _DEFAULTS: dict[str, Any] = {
     **{generic: bit in GatewayInfo().features for generic, bit in FEATURES.items()},
     "groups": 16,
@@ -32,16 +32,16 @@ _DEFAULTS: dict[str, Any] = {
 
 
 def generics_of(interface: Interface) -> dict[str, int]:
-    """Return the generics that follow from an interface, as in the gateway that is generated from it."""
+    """Return the generics of the gateway that `generate vhdl` makes for an interface."""
     from unity_link.generate.vhdl import gateway_generics
 
     given = {name: value for name, value in gateway_generics(interface).items() if isinstance(value, int)}
-    told = {"build_id": interface.fingerprint, "fingerprint": True, "description": interface.is_described}
-    return {**given, **told, "wb_pipelined": True}
+    identity = {"build_id": interface.fingerprint, "fingerprint": True, "description": interface.is_described}
+    return {**given, **identity, "wb_pipelined": True}
 
 
 def info_of(given: Mapping[str, int]) -> GatewayInfo:
-    """Return what the gateware says of itself; what is not given is as the gateware has it by itself."""
+    """Return the configuration that gateware with these generics reports; other generics have their defaults."""
     generics = {**_DEFAULTS, **given}
     features = Feature(0)
     for generic, feature in FEATURES.items():

@@ -1,9 +1,9 @@
-"""Publish groups of the virtual gateway (docs/protocol.md, "Groups"): when a sample is due, and what it says.
+"""Groups of the virtual gateway (docs/protocol.md, "Groups"): the times and contents of samples.
 
-Time runs in base ticks: tick k is at k / base frequency after the gateway's start, and a periodic group is due at whole
-multiples of its divisor after its first tick. A sample is read and stamped at the instant at which it is due, however
-late the caller comes to fetch it. It leaves, or waits in the ring of `unity_link.virtual.sample_ring`; one for which
-there is no room in that either is an overrun: it counts in the group's sequence number and is otherwise forgotten.
+Base tick k is at k / base frequency after the gateway's start. A periodic group is due at multiples of its divisor
+after its first tick. A sample is read and stamped for the time at which it is due, even if `advance` is called later.
+It is sent, or waits in the ring of `unity_link.virtual.sample_ring`. If the ring is full as well, the sample is an
+overrun: it only increments the group's sequence number.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ if TYPE_CHECKING:
 _TIMESTAMP_MASK = 0xFFFFFFFF
 _SEQUENCE_MASK = 0xFF
 _SLACK_TICKS = 1e-3
-"""A float of seconds may lie this much of a clock tick below the tick that it stands for."""
+"""Tolerance in clock ticks: a time in seconds may be this much below the tick that it represents."""
 _PAUSE = 0.001
-"""Seconds between two questions for room while samples wait."""
+"""Seconds between two checks for room while samples are pending."""
 
 
 class BaseClock:
-    """The gateway's time: base ticks and clock ticks since its start, which is the first instant it hears of."""
+    """The gateway's time: base ticks and clock ticks since its start, which is the first time that it gets."""
 
     def __init__(self, info: GatewayInfo) -> None:
         self._base_hz = info.base_frequency_millihertz / 1000
@@ -41,17 +41,17 @@ class BaseClock:
         self._start: float | None = None
 
     def restart(self) -> None:
-        """Start anew at the next instant."""
+        """Start again at the next time that the clock gets."""
         self._start = None
 
     def start(self, now: float) -> float:
-        """Return the instant of tick 0."""
+        """Return the time of tick 0 in seconds; `now`, if the clock has not started."""
         if self._start is None:
             self._start = now
         return self._start
 
     def time_of(self, tick: int) -> float:
-        """Return the instant of a base tick."""
+        """Return the time of a base tick in seconds."""
         return (self._start or 0.0) + tick / self._base_hz
 
     def tick_before(self, now: float) -> int:
@@ -68,11 +68,11 @@ class BaseClock:
         return tick * self._stamp_factor // self._stamp_divisor & _TIMESTAMP_MASK
 
     def ticks_at(self, now: float) -> int:
-        """Return the clock ticks at an instant."""
+        """Return the number of clock ticks at a time."""
         return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS)
 
     def stamp_at(self, now: float) -> int:
-        """Return the timestamp of an instant."""
+        """Return the timestamp of a time."""
         return self.ticks_at(now) & _TIMESTAMP_MASK
 
 
@@ -86,15 +86,15 @@ class PublishGroup:
         self.divisor = divisor
         self.addresses = addresses
         self.words = SampleRing.words_of(len(addresses), stamped=GroupFlag.TIMESTAMP in self.flags)
-        """Words of a sample in the ring."""
+        """Number of words that a sample takes in the ring."""
         self.form = form
-        """%-format of the body: sequence, timestamp if there is one, words."""
+        """%-format of a sample's body, with sequence number, optional timestamp, and words."""
         self.sequence = 0
         self.running = False
         self.due = 0
-        """The next base tick of a periodic group that runs."""
+        """Base tick at which a running periodic group is due next."""
         self.last: list[int] | None = None
-        """The last sample that was accepted for sending since GS or GN."""
+        """Words of the last published sample since GS or GN."""
 
 
 class PublishGroups:
@@ -102,27 +102,27 @@ class PublishGroups:
 
     Args:
         info: the gateway's configuration.
-        bus: where samples are read.
-        frame: puts a body into a frame, given whether a plain one is wanted.
+        bus: the bus from which samples are read.
+        frame: returns the frame of a body; its second argument is True for a plain frame.
     """
 
     def __init__(self, info: GatewayInfo, bus: ModelBus, frame: Callable[[bytes, bool], bytes]) -> None:
         self.clock = BaseClock(info)
         self.overruns = 0
-        """Samples that were due and had no room, all groups together."""
+        """Number of overruns of all groups."""
         self.ring = SampleRing(info.group_words)
         self._word_form = b"%%0%dX" % info.data_digits
         self._bus = bus
         self._frame = frame
         self._groups: dict[int, PublishGroup] = {}
         self._schedule: list[tuple[int, int]] = []
-        """Heap of next tick and number of every periodic group that runs."""
+        """Heap of all running periodic groups: next base tick, and number of the group."""
         self._triggers: deque[tuple[float, int | None]] = deque()
-        """Instant and group of each trigger; None for all groups."""
+        """Pending trigger edges: time, and number of the group or None for all groups."""
         self._advanced_to = 0.0
 
     def reset(self) -> None:
-        """Forget all groups."""
+        """Delete all groups, and restart the clock."""
         self._groups.clear()
         self._triggers.clear()
         self._schedule.clear()
@@ -130,18 +130,18 @@ class PublishGroups:
         self.clock.restart()
 
     def is_set(self, number: int) -> bool:
-        """Return whether a group was set since the reset."""
+        """Return True if a group was set since the reset."""
         return number in self._groups
 
     def set(self, number: int, flags: int, divisor: int, addresses: list[int]) -> None:
-        """Store the settings of a group, which stops and begins at sequence 0."""
+        """Store the settings of a group; the group stops, and its sequence number becomes 0."""
         stamp = b"%08X" if flags & GroupFlag.TIMESTAMP else b""
         form = b"P%02X%%02X%b%b" % (number, stamp, self._word_form * len(addresses))
         self._groups[number] = PublishGroup(flags, divisor, addresses, form)
         self._reschedule()
 
     def start(self, number: int, now: float) -> None:
-        """Start a group: a periodic one is due first at the next base tick."""
+        """Start a group; a periodic group is first due at the next base tick."""
         group = self._groups[number]
         group.running = True
         group.last = None
@@ -154,7 +154,7 @@ class PublishGroups:
         self._reschedule()
 
     def stop_all(self) -> None:
-        """Stop all groups, which keep settings and sequences."""
+        """Stop all groups; they keep their settings and sequence numbers."""
         for group in self._groups.values():
             group.running = False
         self._schedule.clear()
@@ -173,7 +173,7 @@ class PublishGroups:
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which `advance` has something to do next; while samples wait, also every `_PAUSE`."""
+        """Time at which `advance` has something to do next; while samples are pending, at most `_PAUSE` later."""
         due = self.clock.time_of(self._schedule[0][0]) if self._schedule else math.inf
         if self._triggers:
             due = min(due, self._triggers[0][0])
@@ -182,7 +182,7 @@ class PublishGroups:
         return None if due == math.inf else due
 
     def publish_now(self, number: int, now: float) -> None:
-        """Publish a group once, running or not, changed or not."""
+        """Publish a group once, even if it is stopped or no value has changed."""
         group = self._groups[number]
         if self.ring.takes(group.words):
             self._publish(group, now, self.clock.stamp_at(now), unchanged=True)
@@ -190,11 +190,11 @@ class PublishGroups:
             self._count_overruns(group, 1)
 
     def advance(self, now: float, room: float) -> bytes:
-        """Publish what is due up to `now`, and return the frames that leave.
+        """Take all samples that are due up to `now`, and return the frames to send.
 
         Args:
             now: the time in seconds.
-            room: a sample leaves as long as fewer bytes have left.
+            room: number of bytes after which no further sample is sent.
         """
         self._advanced_to = now
         self.ring.open(room)
@@ -231,7 +231,7 @@ class PublishGroups:
                 self._count_overruns(group, 1)
 
     def _count_missed(self, group: PublishGroup, tick: int, now: float) -> int:
-        """Count what is due from `tick` up to `now`, when there will be no more room than now, and return how many."""
+        """Count the samples from `tick` to `now` as overruns, for which there is no room; return their number."""
         missed = (self.clock.tick_before(now) - tick) // group.divisor + 1
         self._count_overruns(group, missed)
         return missed
@@ -241,7 +241,7 @@ class PublishGroups:
         self.overruns += count
 
     def _publish(self, group: PublishGroup, instant: float, stamp: int, *, unchanged: bool = False) -> None:
-        """Take a due sample; none comes of it where the bus fails, or no change is found and one is wanted."""
+        """Publish a due sample. Skip it after a bus error, or if the group has ON_CHANGE and no value has changed."""
         sequence = group.sequence
         try:
             words = self._bus.read_words(group.addresses, instant)

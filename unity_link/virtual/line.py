@@ -1,10 +1,10 @@
-"""A line of limited rate, with the FIFOs at the gateway's end of it.
+"""A line with a limited rate, and the FIFOs at the gateway's end.
 
-The gateway itself is quick; what takes time is the line. A response enters the transmit FIFO as fast as the line
-empties it, and the gateway looks at the next request when the last byte of the response is in. Meanwhile samples wait
-in the gateway, and requests gather in the receive FIFO. Where there is no flow control, bytes that find it full are
-lost (error 09); else they wait. Bytes given to `receive` arrive at once, which is the worst that a line can do to the
-FIFO; a frame of the gateway arrives at the host when the line has carried its last byte.
+Only the line takes time, not the gateway. A response fills the transmit FIFO as fast as the line empties it; the
+gateway processes the next request once the last byte of the response is in the FIFO. Until then samples wait in the
+gateway, and requests in the receive FIFO. If this FIFO is full, further bytes wait with flow control, and are lost
+without it (error 09). Bytes passed to `receive` arrive at once, which is the worst case for the FIFO. A frame of the
+gateway arrives at the host after its last byte has passed the line.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 
 
 class SlowLine(Gateway):
-    """A gateway behind a line of limited rate.
+    """A gateway at a line with a limited rate.
 
     Args:
-        gateway: what is behind the line. The sizes of its FIFOs and whether it has flow control are in its `info`.
+        gateway: the gateway; its `info` has the sizes of its FIFOs, and whether it has flow control.
         bytes_per_second: rate of the line from the gateway to the host.
 
     Raises:
-        ArgumentError: for a rate of 0 or less, or without an end.
+        ArgumentError: if the rate is not positive and finite.
     """
 
     def __init__(self, gateway: BareGateway, bytes_per_second: float) -> None:
@@ -46,44 +46,44 @@ class SlowLine(Gateway):
         self._loses = Feature.FLOW_CONTROL not in self.info.features
         self._fifo = bytearray()
         self._lost_at: list[int] = []
-        """Places in the FIFO before which bytes were lost."""
+        """Indexes of the bytes in the FIFO before which bytes were lost."""
         self._sent_at = float("-inf")
-        """Instant at which the line will have sent everything."""
+        """Time at which the line will have sent all bytes."""
         self._under_way: deque[tuple[float, bytes]] = deque()
-        """Bytes in the transmit FIFO or on the line, and the instant at which they arrive."""
+        """Bytes in the transmit FIFO or on the line, with the times at which they arrive."""
 
     def _pass_on_wake(self) -> None:
         self.wake()
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the gateway, by address."""
+        """Words of the gateway's memory, by address."""
         return self._gateway.memory
 
     @property
     def waiting(self) -> int:
-        """Bytes in the receive FIFO and, with flow control, before it."""
+        """Number of bytes in the receive FIFO, and with flow control also before it."""
         return len(self._fifo)
 
     @property
     def refusal(self) -> str:
-        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        """Reason why the robot refuses all accesses; empty if it does not."""
         return self._gateway.refusal
 
     @property
     def leaves_time_out(self) -> bool:
-        """Return whether the gateway leaves out what it is too late for."""
+        """True if the gateway skips time for which it is too late."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which a sample is due, a request can be looked at, or a frame arrives."""
+        """Time at which a sample is due, a request can be processed, or a frame arrives."""
         arrival = self._under_way[0][0] if self._under_way else None
         times = (self._next_step, arrival)
         return min((time for time in times if time is not None), default=None)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds, and give those that arrive back."""
+        """Send bytes to the gateway at the time `now` in seconds, and return the bytes that arrive from it."""
         before = self.advance(now)
         self._fifo += data
         self._look_at_requests(now)
@@ -95,7 +95,7 @@ class SlowLine(Gateway):
         return before + self._arrived(now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the bytes that arrive; see `Gateway`."""
+        """Advance to the time `now`, and return the bytes that arrive from the gateway; see `Gateway`."""
         while (due := self._next_step) is not None and due <= now:
             self._step(due, room)
         self._step(now, room)
@@ -109,19 +109,19 @@ class SlowLine(Gateway):
 
     @property
     def _next_step(self) -> float | None:
-        """Instant of the next event at the gateway's end of the line."""
+        """Time of the next event at the gateway's end of the line."""
         free = self._free_at if self._fifo else None
         times = (free, self._gateway.next_due)
         return min((time for time in times if time is not None), default=None)
 
     @property
     def _free_at(self) -> float:
-        """Instant at which the last byte of the last response is in the transmit FIFO."""
+        """Time at which the last byte of the last response is in the transmit FIFO."""
         return self._sent_at - self.info.transmit_fifo_bytes / self._rate
 
     def _step(self, now: float, room: int | None) -> None:
         free = 0
-        # Requests that waited go first: the gateway lets samples take turns with its responses.
+        # Pending requests come first: the gateway alternates samples with its responses.
         if now >= self._free_at and not self._fifo:
             free = max(1, self.info.transmit_fifo_bytes - int(max(0.0, self._sent_at - now) * self._rate))
         published = self._gateway.advance(now, free if room is None else min(free, room))
@@ -129,7 +129,7 @@ class SlowLine(Gateway):
         self._look_at_requests(now)
 
     def _look_at_requests(self, now: float) -> None:
-        """Hand on requests until a response fills the transmit FIFO."""
+        """Pass requests to the gateway until a response fills the transmit FIFO."""
         while self._fifo and now >= self._free_at:
             size = end_of_first(self._fifo) or len(self._fifo)
             if self._lost_at and self._lost_at[0] < size:
@@ -140,7 +140,7 @@ class SlowLine(Gateway):
             self._occupy(self._gateway.receive(frame, now), now)
 
     def _occupy(self, data: bytes, now: float) -> None:
-        """Put bytes on the line."""
+        """Put bytes on the line, after the bytes before them."""
         if data:
             self._sent_at = max(self._sent_at, now) + len(data) / self._rate
             self._under_way.append((self._sent_at, data))

@@ -1,17 +1,17 @@
-"""The clock of a simulated gateway: it advances the gateway with the time of an event loop.
+"""Model clock: advances a simulated gateway with the clock of an event loop.
 
-A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the clock steps
-from one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
-`MOST_STEPS`, or for longer than `MOST_TURN`, so that the loop stays alive; a gateway that is asked for more samples
-than this machine can make runs late. What is later than `MOST_LAG`, or becomes due while the medium is blocked, waits
-in the gateway as far as there is room, and is otherwise counted as overruns.
+A sample is taken for the time at which it is due, even if the event loop runs later. The clock therefore advances from
+one due time to the next until it reaches the loop's time. One turn is limited to `MOST_BYTES`, `MOST_STEPS` and
+`MOST_TURN`, so that the loop stays responsive; if this machine cannot compute all requested samples, the gateway runs
+late. Samples that are later than `MOST_LAG`, or due while the medium is blocked, wait in the gateway while it has room;
+further ones are overruns.
 
-A gateway that leaves time out (compiled gateware) but is quicker than time is late because the loop stood still. It
-may take `LONGEST_TURN` to catch up: what comes to it next, such as a kick that is too late, finds that this time has
-passed.
+A gateway that skips time (compiled gateware) and is faster than real time is late only if the event loop was blocked.
+Such a gateway may take `LONGEST_TURN` to catch up, so that it processes the next request, such as a kick that is too
+late, only after this time has passed in the gateway.
 
-If a turn takes so long that the next instant is past when it ends, the clock rests for `REST` before it goes on: many
-samples in one turn of the loop cost little more than one, and a turn for each would take all of the loop's time.
+If a turn ends after the next due time, the clock waits for `REST` seconds before the next turn. Many samples in one
+turn of the loop cost little more than one sample, and a turn for each would use all of the loop's time.
 """
 
 from __future__ import annotations
@@ -24,66 +24,66 @@ if TYPE_CHECKING:
 
 
 MOST_BYTES = 65536
-"""Bytes that are published before the loop gets its turn."""
+"""Largest number of published bytes in one turn."""
 MOST_STEPS = 2048
-"""Due instants that are passed before the loop gets its turn."""
+"""Largest number of due times in one turn."""
 MOST_TURN = 0.02
-"""Seconds that may go by before the loop gets its turn."""
+"""Longest duration of a turn in seconds."""
 LONGEST_TURN = 0.5
-"""The same of one that leaves time out, where the loop stood still and it is quicker than time."""
+"""Longest duration of a turn in seconds, for a gateway that skips time and is faster than real time."""
 REST = 0.001
-"""Seconds between the turns of a clock that is late: as finely as a loop sleeps anyway."""
+"""Seconds between two turns while the gateway is late; about the resolution of an event loop's timers."""
 MOST_LAG = 1.0
-"""Seconds by which the gateway's time may be behind that of the loop."""
+"""Largest delay in seconds of the gateway's time behind the loop's time."""
 LONGEST_PAUSE = 10.0
-"""The same as for `LONGEST_TURN`."""
+"""Largest delay in seconds, for a gateway that skips time and is faster than real time."""
 
 
 class ClockedGateway(Protocol):
-    """A gateway that a `ModelClock` advances."""
+    """A gateway that a model clock advances."""
 
     wake: Callable[[], None]
-    """Called when `next_due` has moved ahead for another reason than a call of `receive` or `advance`."""
+    """Is called when `next_due` has become earlier other than by a call of `receive` or `advance`."""
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which `advance` must be called next; None while nothing is planned."""
+        """Time at which `advance` must be called next; None if no time is planned."""
 
     @property
     def waiting(self) -> int:
-        """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
+        """Number of received and unprocessed bytes. A medium with flow control stops while this number is large."""
 
     @property
     def leaves_time_out(self) -> bool:
-        """Return whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
+        """True if `advance` skips time for which it is too late; the caller then need not drop samples."""
         return False
 
     @property
     def refusal(self) -> str:
-        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        """Reason why the robot refuses all accesses; empty if it does not."""
         return ""
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
+        """Process bytes received at the time `now`, in seconds from any origin, and return the bytes to send."""
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the bytes sent.
+        """Advance to the time `now`, and return the bytes to send.
 
         Args:
             now: the time in seconds; it never goes back.
-            room: how many bytes the medium can take. Responses are never cut, but a sample is sent only while fewer
-                bytes were sent. It waits otherwise, and where too many do, it is an overrun. None for no limit.
+            room: number of bytes that the medium accepts; None for no limit. Responses are never divided. Samples are
+                sent until this number of bytes is reached; further samples wait, or are overruns if too many wait.
         """
 
 
 class ModelClock:
-    """Advances one gateway with the time of a loop.
+    """The model clock of one gateway.
 
     Args:
-        gateway: what is driven.
-        send: takes the bytes that the gateway sends, and may call `block`; it is also called, with none, when time has
-            passed at the gateway, which may then have room for more requests.
-        loop: whose time counts.
+        gateway: the gateway.
+        send: sends the bytes of the gateway, and may call `block`. It is also called without bytes after time has
+            passed at the gateway, which may then accept more requests.
+        loop: the event loop whose clock is used.
     """
 
     def __init__(self, gateway: ClockedGateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
@@ -96,24 +96,24 @@ class ModelClock:
         self._closed = False
         self._reached = loop.time()
         self._is_slow = False
-        """True if the last turn took longer than the time that has passed at the gateway in it."""
+        """True if the last turn took longer than the time by which it advanced the gateway."""
         gateway.wake = self._arm
         self._arm()
 
     def feed(self, data: bytes) -> None:
-        """Pass bytes that arrived to the gateway."""
+        """Pass received bytes to the gateway."""
         answer = self.gateway.receive(data, self._catch_up(self._loop.time()))
         if answer:
             self._send(answer)
         self._arm()
 
     def block(self) -> None:
-        """Record that the medium takes nothing more; `feed` must not be called until it does."""
+        """Record that the medium accepts no more bytes; `feed` must not be called until `unblock`."""
         self.blocked = True
         self._disarm()
 
     def unblock(self) -> None:
-        """Record that the medium takes bytes again."""
+        """Record that the medium accepts bytes again."""
         if not self.blocked:
             return
         late = self.gateway.advance(self._loop.time(), room=0)
@@ -123,12 +123,12 @@ class ModelClock:
         self._arm()
 
     def close(self) -> None:
-        """Let go of the gateway, which stands still from now on."""
+        """Stop the clock; the gateway does not advance any more."""
         self._closed = True
         self._disarm()
 
     def _catch_up(self, now: float) -> float:
-        """Go on to `now`, or as far as one turn can; gives the gateway's time then."""
+        """Advance the gateway to `now`, or as far as one turn allows; return the gateway's time after that."""
         gateway, published, steps = self.gateway, 0, 0
         reached, began = now, self._loop.time()
         may_pause = gateway.leaves_time_out and not self._is_slow
@@ -137,7 +137,7 @@ class ModelClock:
             if self.blocked or now - due > most_lag:
                 has_room = gateway.leaves_time_out and not self.blocked
                 frames = gateway.advance(now, None if has_room else 0)
-                # What was left out did not take its time.
+                # Skipped time must not count for `_is_slow`.
                 due = self._reached = now
             elif published >= MOST_BYTES or steps >= MOST_STEPS or self._loop.time() - began >= longest:
                 break
@@ -156,7 +156,7 @@ class ModelClock:
         return reached
 
     def _arm(self, not_before: float = 0.0) -> None:
-        """See to it that the loop comes back when something is due."""
+        """Set the timer for the next due time, but not before the time `not_before`."""
         due = self.gateway.next_due
         if due is None or self.blocked or self._closed:
             return
@@ -173,7 +173,7 @@ class ModelClock:
 
     def _on_time(self, due: float) -> None:
         self._timer = None
-        # A loop's timer may fire a little early.
+        # An event loop may call a timer slightly early.
         now = max(self._loop.time(), due)
         has_caught_up = self._catch_up(now) == now
         self._send(b"")

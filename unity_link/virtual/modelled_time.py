@@ -1,13 +1,14 @@
-"""An event loop on modelled time: it passes where everyone waits, at once, and in no other place.
+"""An event loop with simulated time, which passes only while all tasks wait, and then without delay.
 
-Its clock begins at 0, stands still while there is work, and jumps to the next timer when there is none. With
-``host_time``, the processor time that the program itself takes counts as well: then `time` is what a program would see
-that works as long as this one does, and waits as long as the model says.
+The clock starts at 0. It is stopped while callbacks run, and jumps to the next timer when none are ready. With
+``host_time`` the processor time of the program is added: `time` then shows the duration of the program if its waits
+took the simulated time.
 
-Each model that stands for a part of the world has a timer of its own, `call_world_at`. It is called inside the loop's
-waiting, with the clock standing still, as a kernel and what is behind it work while a program sleeps.
+Each model of hardware has its own timer, `call_world_at`. The loop calls it while it waits and the clock is stopped,
+because a kernel and hardware also work while a program sleeps.
 
-Real sockets have no place here, and no thread may take time: the default executor works at once.
+Real sockets do not work in this loop. Threads must not take time; therefore the default executor runs functions at
+once.
 """
 
 from __future__ import annotations
@@ -25,14 +26,14 @@ if TYPE_CHECKING:
 
 
 class DeadlockError(Exception):
-    """Everyone waits, and no timer is set."""
+    """All tasks wait, and no timer is set."""
 
 
 class _AtOnce(ThreadPoolExecutor):
-    """Does at once, in the loop's own thread, what is given to it."""
+    """An executor that runs functions at once, in the thread of the event loop."""
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        """Do it."""
+        """Run a function, and return a finished future."""
         done: Future[Any] = Future()
         try:
             done.set_result(function(*args, **kwargs))
@@ -42,31 +43,31 @@ class _AtOnce(ThreadPoolExecutor):
 
 
 class _JumpingSelector(selectors.DefaultSelector):
-    """Does not sleep: it moves the clock, and the world, instead."""
+    """A selector that does not sleep: it advances the clock and the models instead."""
 
     def __init__(self, host_time: Callable[[], float]) -> None:
         super().__init__()
         self._host_time = host_time
         self._offset = -host_time()
         self._frozen: float | None = None
-        """The time while it stands still."""
+        """The time while the clock is stopped; None while it runs."""
         self._world: dict[object, tuple[float, Callable[[], object]]] = {}
-        """Timers by owner: the instant, and the function to call."""
+        """Timer of each model: time, and function to call."""
 
     @property
     def now(self) -> float:
-        """The modelled time in seconds."""
+        """The simulated time in seconds."""
         return self._host_time() + self._offset if self._frozen is None else self._frozen
 
     def jump(self, seconds: float) -> None:
-        """Let time pass."""
+        """Advance the clock."""
         with self.standing_still():
             assert self._frozen is not None
             self._frozen += seconds
 
     @contextlib.contextmanager
     def standing_still(self) -> Iterator[None]:
-        """Keep the clock where it is."""
+        """Stop the clock in the block."""
         if self._frozen is not None:
             yield
             return
@@ -78,13 +79,13 @@ class _JumpingSelector(selectors.DefaultSelector):
             self._frozen = None
 
     def set_world(self, owner: object, when: float, callback: Callable[[], object] | None) -> None:
-        """Set the timer of one part of the world, or none."""
+        """Set the timer of one model; without a callback, cancel it."""
         self._world.pop(owner, None)
         if callback is not None:
             self._world[owner] = when, callback
 
     def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
-        """Return what is ready, or let the time pass until something is."""
+        """Return the ready descriptors, or advance the time until a descriptor or a timer is ready."""
         with self.standing_still():
             until = None if timeout is None else self.now + max(0.0, timeout)
             self._move_world()
@@ -97,22 +98,22 @@ class _JumpingSelector(selectors.DefaultSelector):
                     self._frozen = until
                     break
                 else:
-                    raise DeadlockError(f"nothing is left to happen at {self.now} s of simulated time")
-        # Once more, so that what a program pays for it is in the time.
+                    raise DeadlockError(f"all tasks wait, and no timer is set, at {self.now} s of simulated time")
+        # Select once more with the clock running, so that `host_time` includes the time of a system call.
         return super().select(0)
 
     def _move_world(self) -> None:
-        """Call the world as often as it wants until now."""
+        """Call the timers of models that are due."""
         while due := [owner for owner, (when, _) in self._world.items() if when <= self.now]:
-            # One at a time: what it does may take another one's timer away.
+            # Call one at a time, because it may cancel the others.
             self._world.pop(due[0])[1]()
 
 
 class ModelledTimeLoop(asyncio.SelectorEventLoop):
-    """An event loop whose `time` is modelled.
+    """An event loop with simulated time.
 
     Args:
-        host_time: count the processor time of this thread, too.
+        host_time: True to add the processor time of this thread.
     """
 
     def __init__(self, *, host_time: bool = False) -> None:
@@ -121,20 +122,20 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         self.set_default_executor(_AtOnce())
 
     async def shutdown_default_executor(self, timeout: float | None = None) -> None:  # noqa: ASYNC109  (asyncio's own)
-        """Do nothing: what works at once has nothing left to do, and asyncio would ask it in a thread."""
+        """Do nothing: the executor has no pending work, and asyncio would shut it down in a thread."""
 
     def time(self) -> float:
-        """Return the modelled time in seconds."""
+        """Return the simulated time in seconds."""
         return self._jumping.now
 
     def jump(self, seconds: float) -> None:
-        """Let time pass during which no timer fires, as when a callback takes long."""
+        """Advance the clock without calling timers, as if a callback took that long."""
         self._jumping.jump(seconds)
 
     def standing_still(self) -> contextlib.AbstractContextManager[None]:
-        """Keep the clock where it is while a model computes."""
+        """Stop the clock in a block, while a model computes."""
         return self._jumping.standing_still()
 
     def call_world_at(self, owner: object, when: float, callback: Callable[[], object] | None) -> None:
-        """Set the timer of `owner`, a part of the world, to call at `when` and not before; None for no call."""
+        """Set the timer of a model, `owner`: call `callback` at the time `when`; None cancels the timer."""
         self._jumping.set_world(owner, when, callback)

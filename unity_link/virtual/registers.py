@@ -1,11 +1,11 @@
-"""The registers of a spec, as a bus sees them: what stands at each address, what may be done with it, and its limits.
+"""The registers of a spec as a bus sees them: a model of the register bank that `unity-link generate vhdl` makes.
 
-They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
-is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
-instant of its first one, and is written with its last. What has an EFFECT is cleared by each read, or by a 1 that is
-written, or has that for an instant alone. A signal with SAFE refuses to be written while its lease is not
-armed, or is finishing. Beyond that, a write outside of MIN and MAX is a bus error too, which the log explains.
-Addresses of hardware modules are memory, those of FIFO ports are queues.
+- Reads of write-only signals, writes of read-only signals, and accesses to addresses without a signal are bus errors.
+- A value of several words is latched when its first word is read, and changes when its last word is written.
+- A signal with an EFFECT is cleared by a read, cleared by writing 1, or is 1 only in the moment of a write.
+- A signal with SAFE cannot be written while its lease is not armed, or is finishing.
+- In addition to the register bank, a write outside of MIN and MAX is a bus error; the log has the reason.
+- Addresses of hardware modules are memory, and those of FIFO ports are queues.
 """
 
 from __future__ import annotations
@@ -26,44 +26,44 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface, ModuleSpec, Signal, Value
 
 SignalFault = Literal["error", "timeout", "frozen"]
-"""Faults of a signal: accesses are bus errors, are never answered, or read what they read first."""
+"""Faults of a signal: accesses end with a bus error, time out, or read the value at the start of the fault."""
 SIGNAL_FAULTS: tuple[str, ...] = get_args(SignalFault)
 DEFAULT_DEPTH = 1024
-"""Words of a queue whose depth the spec does not tell."""
+"""Depth in words of a queue if the spec does not declare one."""
 _LOG = logging.getLogger("unity_link.virtual")
 
 
 class Wire(Protocol):
-    """Port of a signal in compiled gateware, which a model drives."""
+    """The ports of a signal in compiled gateware, as a model uses them."""
 
     def look(self, cell: Cell) -> None:
-        """Allow a look at the value.
+        """Check that the model may read the value.
 
         Raises:
-            ArgumentError: for a signal that no model can see.
+            ArgumentError: if a model cannot read this signal.
         """
 
     def drive(self, cell: Cell, raw: int) -> None:
-        """Take the bits of a value of the model.
+        """Drive the port with the bits of the model's value.
 
         Raises:
-            ArgumentError: for a signal that hardware does not give.
+            ArgumentError: if the signal is not an input of the gateware.
         """
 
     def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
-        """Begin or end a fault.
+        """Begin a fault; None ends it.
 
         Raises:
-            ArgumentError: for one that gateware cannot have.
+            ArgumentError: if compiled gateware cannot have the fault.
         """
 
 
 class Queue:
-    """A FIFO port: words that wait for the program, and words of the program that wait for the model.
+    """A FIFO port, with the words from the model to the program and those from the program to the model.
 
     Args:
         signal: the port.
-        loops_back: whether a program reads what it has written, as no model takes it.
+        loops_back: True if there is no model, and programs read the words that they wrote.
     """
 
     def __init__(self, signal: Signal, *, loops_back: bool) -> None:
@@ -72,14 +72,14 @@ class Queue:
         self.to_program: deque[int] = deque()
         self.from_program = self.to_program if loops_back else deque[int]()
         self.changed: Callable[[], object] | None = None
-        """Called when the model has put or taken a value."""
+        """Is called after the model has put or taken a value."""
 
     def __len__(self) -> int:
-        """Return how many values of the program wait."""
+        """Return the number of values from the program."""
         return len(self.from_program)
 
     def put(self, value: Value | str) -> bool:
-        """Append a value for the program; return whether there was room."""
+        """Append a value for the program; return False if the queue is full."""
         word = _encoded(self._signal, value)
         if len(self.to_program) >= self.depth:
             return False
@@ -89,7 +89,7 @@ class Queue:
         return True
 
     def take(self) -> Value | None:
-        """Take the oldest value that the program has written; None where there is none."""
+        """Remove and return the oldest value from the program; None if the queue is empty."""
         if not self.from_program:
             return None
         taken = self._signal.kind.decode(self.from_program.popleft())
@@ -99,7 +99,7 @@ class Queue:
 
 
 class Cell:
-    """A signal: its value, as a model sees it, and the bits that stand on the bus."""
+    """A signal: its value for the model, and its bits on the bus."""
 
     __slots__ = (
         *("_bounds", "_gathered", "_kept", "_next_part"),
@@ -111,7 +111,7 @@ class Cell:
         self.raw = signal.reset
         self.value = signal.kind.decode(self.raw)
         self.written = self.value
-        """The value that a program has written last; one with an effect does not keep that."""
+        """The last value that a program wrote; `value` may differ if the signal has an EFFECT."""
         self.queue = Queue(signal, loops_back=loops_back and signal.access.reads) if signal.fifo else None
         self.fault: SignalFault | None = None
         self.frozen = 0
@@ -121,13 +121,15 @@ class Cell:
         self._bounds = _bound(signal, signal.minimum), _bound(signal, signal.maximum)
 
     def set(self, value: Value | str) -> None:
-        """Set its value; the rest of a float between two values of the register is kept.
+        """Set the value from the model.
 
-        Of one that accesses clear, set the bits that are 1, and leave the others. A value of one with WRAPS may go
-        beyond the range: the register goes round, and the model reads what it has set.
+        `value` keeps a float exactly, although the register rounds it. In a signal that accesses clear, the 1 bits are
+        set and the other bits stay. A value of a signal with WRAPS may exceed the range: the register wraps around, and
+        the model reads the value that it has set.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say, and in gateware for what hardware does not give.
+            ArgumentError: if the signal's kind cannot represent the value, or the signal is an output of compiled
+                gateware.
         """
         raw = _encoded(self.signal, value)
         if self.wire is not None:
@@ -138,10 +140,10 @@ class Cell:
         self._keep(raw, value)
 
     def show(self, value: Value | str) -> None:
-        """Set the value that a model of a plant reads of a register in compiled gateware.
+        """Set the value that a model of the plant reads; the register itself is in compiled gateware.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say.
+            ArgumentError: if the signal's kind cannot represent the value.
         """
         self._keep(_encoded(self.signal, value), value)
 
@@ -152,34 +154,34 @@ class Cell:
             self.value = float(value) if kind.is_float else int(value)
 
     def put(self, value: Value) -> None:
-        """Set the bits that a program reads, and leave the value that a model of a plant has set.
+        """Set the bits that a program reads; a model of the plant still reads its own value.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say.
+            ArgumentError: if the signal's kind cannot represent the value.
         """
         self.raw = _encoded(self.signal, value)
 
     def accept(self, raw: int) -> None:
-        """Take the bits that a program has written."""
+        """Apply the bits that a program wrote, with the signal's EFFECT."""
         self.written = self.signal.kind.decode(raw)
         if self.signal.effect is Effect.WRITE_1_TO_CLEAR:
             raw = self.raw & ~raw
         self.take(0 if self.signal.effect is Effect.PULSE else raw)
 
     def take(self, raw: int) -> None:
-        """Take the bits that stand on the bus."""
+        """Set the bits on the bus, and the value from them."""
         self.raw = raw
         self.value = self.signal.kind.decode(raw)
 
     def read(self, part: int, now: float) -> int:
-        """Return what one of its words has of it, at its place in the word.
+        """Return the bits of one of the signal's words, at their place in the word.
 
         Args:
-            part: which of its words.
-            now: the time of the access, which all words of a transaction have in common.
+            part: index of the word in the signal.
+            now: the time of the access; all words of one transaction have the same time.
 
         Raises:
-            AccessError: of a fault, and where its queue is empty.
+            AccessError: if the signal has a fault, or its queue is empty.
         """
         self._check_fault()
         if self.queue is not None:
@@ -190,7 +192,7 @@ class Cell:
         if self.signal.effect is Effect.CLEAR_ON_READ:
             self.take(0)
         if self.signal.words > 1:
-            # The other words follow the first in the same transaction.
+            # The words after the first one, in the same transaction, come from the latched value.
             self._kept = self._kept if part and (part, now) == self._next_part else raw
             self._next_part = part + 1, now
             raw = self._kept
@@ -199,10 +201,10 @@ class Cell:
         )
 
     def check_write(self, part: int, word: int) -> None:
-        """Refuse a write that is not possible.
+        """Check that a word can be written.
 
         Raises:
-            AccessError: of a fault, for a value outside of the limits, and where its queue is full.
+            AccessError: if the signal has a fault, the value is outside of the limits, or the queue is full.
         """
         self._check_fault()
         if self.queue is not None and len(self.queue.from_program) >= self.queue.depth:
@@ -215,7 +217,7 @@ class Cell:
                 raise AccessError(ErrorCode.BUS_ERROR)
 
     def write(self, part: int, word: int) -> bool:
-        """Take a word; return whether hardware sees it: a new value, and not that bits were cleared."""
+        """Write a word; return True if hardware gets a value, which is complete and does not only clear bits."""
         if self.queue is not None:
             self.queue.from_program.append(word & self.signal.mask)
             return True
@@ -226,7 +228,7 @@ class Cell:
         return not self.signal.has_events
 
     def make_safe(self) -> None:
-        """Take the safe value, but for one with HOLD, and forget the words of a value that is not whole."""
+        """Set the safe value, except with HOLD, and drop the words of an incomplete value."""
         assert self.signal.safe is not None
         self._gathered = [0] * self.signal.words
         if self.signal.safe.bits is not None:
@@ -248,8 +250,8 @@ class Registers:
     """All registers of an interface.
 
     Args:
-        interface: of a spec.
-        loops_back: whether what is written to a FIFO port can be read from it, as no model takes it.
+        interface: interface of a spec.
+        loops_back: True if there is no model, and programs read the words that they wrote to a FIFO port.
     """
 
     def __init__(self, interface: Interface, *, loops_back: bool) -> None:
@@ -262,13 +264,13 @@ class Registers:
             if module.type == "FIFO"
         }
         self._leases: dict[str, set[str]] = {}
-        """Leases of the signals of components, and of those that these time, by the paths of the components."""
+        """Leases of each component's signals, and of the signals that it times, by path of the component."""
         self._staged: dict[str, dict[int, tuple[Cell, int]]] = {}
-        """Signals, and which bits of them, by their places on the stages of schedules, by the paths of these."""
+        """For each schedule's path: signal and lowest bit of each place on its stage."""
         self._page_number, self._page = page_address(interface.address_bits), 0
         self._description = words_of(interface.description, interface.data_bits) if interface.is_described else []
         self._guarded: dict[str, list[Cell]] = {}
-        """Signals with a safe value, by the paths of their leases."""
+        """Signals with a safe value, by path of their lease."""
         self._read: dict[int, list[tuple[Cell, int]]] = {}
         self._written: dict[int, list[tuple[Cell, int]]] = {}
         for cell in self.cells.values():
@@ -291,7 +293,7 @@ class Registers:
         """Set the fault of a signal; None ends it.
 
         Raises:
-            ArgumentError: for a signal or a fault that there is not.
+            ArgumentError: if the signal or the fault does not exist.
         """
         if path not in self.cells:
             from unity_link.spec.diagnostics import did_you_mean
@@ -306,10 +308,10 @@ class Registers:
         cell.fault, cell.frozen = fault, cell.raw
 
     def read(self, address: int, now: float = 0.0) -> int:
-        """Read the word at an address, at a time.
+        """Return the word at an address, read at the time `now`.
 
         Raises:
-            AccessError: where it can't be read.
+            AccessError: if the word cannot be read.
         """
         cells = self._read.get(address)
         if cells is None:
@@ -322,10 +324,10 @@ class Registers:
         return word
 
     def write(self, address: int, word: int) -> list[Cell]:
-        """Write the word at an address; return the signals of which hardware has got a value.
+        """Write the word at an address; return the signals for which hardware got a value.
 
         Raises:
-            AccessError: where it can't be written; nothing has changed then.
+            AccessError: if the word cannot be written; no signal is changed then.
         """
         cells = self._written.get(address)
         if cells is None:
@@ -341,15 +343,15 @@ class Registers:
         return [cell for cell, part in cells if cell.write(part, word)]
 
     def leases_of(self, component: str) -> set[str]:
-        """Return the paths of the leases that guard the signals of a component, and those that it times."""
+        """Return the paths of the leases that guard a component's signals, or the signals that the component times."""
         return self._leases.get(component, set())
 
     def is_armed(self, component: str) -> bool:
-        """Return whether these leases are armed."""
+        """Return True if all leases of `leases_of` are armed."""
         return all(self.cells[f"{lease}.armed"].raw for lease in self.leases_of(component))
 
     def is_finishing(self, component: str) -> bool:
-        """Return whether one of these leases is finishing."""
+        """Return True if one of the leases of `leases_of` is finishing."""
         return any(self._is_finishing(lease) for lease in self.leases_of(component))
 
     def _is_finishing(self, lease: str) -> bool:
@@ -360,7 +362,7 @@ class Registers:
         return bool(self.cells[f"{lease}.armed"].raw) and not self._is_finishing(lease)
 
     def commit(self, schedule: str, words: Mapping[int, int]) -> list[Cell]:
-        """Write words of a schedule, by their places on its stage; return the signals that have got a value."""
+        """Write words from a schedule, by their places on its stage; return the signals that got a value."""
         changed: dict[str, Cell] = {}
         for place, word in words.items():
             found = self._staged.get(schedule, {}).get(place)
@@ -373,10 +375,10 @@ class Registers:
         return list(changed.values())
 
     def make_safe(self, lease: str) -> None:
-        """Set all signals that a lease guards to their safe values, those with HOLD excepted.
+        """Set all signals that a lease guards to their safe values, except those with HOLD.
 
         Args:
-            lease: its path.
+            lease: path of the lease.
         """
         for cell in self._guarded.get(lease, ()):
             cell.make_safe()
@@ -408,7 +410,7 @@ class Registers:
             queue.append(word)
 
     def _check_in_module(self, address: int, other_way: dict[int, list[tuple[Cell, int]]]) -> None:
-        """Refuse an address of no module, or of a signal that goes the other way."""
+        """Raise `AccessError` if an address is in no module, or belongs to a signal of the other direction."""
         if address in other_way or not any(_has(module, address) for module in self._modules):
             raise AccessError(ErrorCode.BUS_ERROR)
 
@@ -422,8 +424,8 @@ def _encoded(signal: Signal, value: Value | str) -> int:
 
 
 def _bound(signal: Signal, limit: float | None) -> Value | None:
-    """Return what a value on the bus may be at most, or at least, of a limit that a program keeps to."""
-    # A float of a program goes to the nearest value that there is, and so does the limit; a whole number stays itself.
+    """Return the limit of a value on the bus for a limit in the spec."""
+    # A float is rounded to the nearest value of the register, so round the limit as well.
     kind = signal.kind
     return limit if limit is None or not kind.is_float else kind.decode(kind.encode(limit))
 

@@ -1,4 +1,4 @@
-"""The common part of the virtual robots: servo joints as a device on the bus, with two set points each."""
+"""Base class of the built-in robots: servo joints with two set points each, as a device on the bus."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from unity_link.virtual.gateway import BareGateway
 
 WORD_BITS = 32
-"""Width of a word that holds every position."""
+"""Narrowest word in bits that can hold all positions."""
 SET_POINT, SPEED_SET_POINT = 2, 3
-"""Registers of a joint; 0 and 1 are actual values, in an order that each robot has for itself."""
+"""Indexes of a joint's registers; 0 and 1 are actual values, whose order depends on the robot."""
 
 
 class ServoRobot(ABC):
@@ -33,10 +33,10 @@ class ServoRobot(ABC):
 
     @classmethod
     def made_for(cls, gateway: BareGateway) -> Self:
-        """Make such a robot with the words of a gateway.
+        """Return a robot with the word width of a gateway.
 
         Raises:
-            ArgumentError: where these are too narrow for its positions.
+            ArgumentError: if the words are too narrow for positions.
         """
         width = gateway.info.data_bits
         if width < WORD_BITS:
@@ -45,10 +45,10 @@ class ServoRobot(ABC):
 
     @classmethod
     def attach(cls, gateway: BareGateway) -> Self:
-        """Put such a robot behind a gateway.
+        """Return a robot that is attached to a gateway.
 
         Raises:
-            ArgumentError: as by `made_for`.
+            ArgumentError: as for `made_for`.
         """
         robot = cls.made_for(gateway)
         gateway.attach(robot, robot.addresses())
@@ -57,7 +57,7 @@ class ServoRobot(ABC):
     @staticmethod
     @abstractmethod
     def joint_types() -> Iterable[JointType]:
-        """Return the joints that it has."""
+        """Return the types of the joints."""
 
     @abstractmethod
     def addresses(self) -> list[int]:
@@ -69,10 +69,10 @@ class ServoRobot(ABC):
 
     @abstractmethod
     def read(self, offset: int, now: float) -> int:
-        """Read a register."""
+        """Return the value of a register."""
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Write a set point; an actual value refuses."""
+        """Write a set point; raise `AccessError` for an actual value."""
         joint, register = self.find(offset)
         if register == SET_POINT:
             joint.command(now, set_point=(value ^ self._sign) - self._sign)

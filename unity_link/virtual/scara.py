@@ -1,4 +1,4 @@
-"""The SCARA robot of the Unity-Link paper: four servo joints behind the addresses of its figure 1.
+"""The SCARA robot of the Unity-Link paper: four servo joints at the addresses of the paper's figure 1.
 
 | joint n = 1..4 | address  | word                                                             |
 |----------------|----------|------------------------------------------------------------------|
@@ -7,13 +7,11 @@
 | pos_sp         | 8C + n-1 | position set point, counts, signed                               |
 | spd_sp         | 94 + n-1 | speed set point, counts/s, unsigned: the most speed while moving |
 
-Each joint has a motor with an encoder of 4000 counts a revolution behind a gear. A servo moves it to its set point as
-fast as its acceleration and the speed set point allow, with a trapezoidal speed profile; a new set point may come at
-any time, and the motion goes over into the new one without a jump of the speed. Set points beyond the soft limits of
-the joint move it to the limit, speeds beyond its most speed count as that. After power-up all joints stand at 0, with
-a quarter of their most speed as set point. Writing an actual value is a bus error.
-
-`servo` says how a joint moves.
+Each joint has a motor with a gear, and an encoder with 4000 counts per revolution of the motor. A servo moves the joint
+to its set point as fast as the acceleration and the speed set point allow, with a trapezoidal speed profile. A new set
+point may be written at any time; the speed then changes without a jump. Set points outside of the joint's soft limits
+are clipped to the limits, and speeds to the joint's maximum. After power-up all joints are at rest at 0, with a quarter
+of their maximum as the speed set point. Writing an actual value is a bus error. `servo` computes the motion of a joint.
 """
 
 from __future__ import annotations
@@ -32,7 +30,7 @@ SPEED, POSITION, POSITION_SET_POINT, SPEED_SET_POINT = 0x80, 0x88, 0x8C, 0x94
 
 
 def _joint_type(name: str, unit: str, counts_per_unit: float, span: tuple[float, float], speed: float) -> JointType:
-    """Describe a joint in its own units; it reaches its most speed in 0.2 s."""
+    """Return a joint from limits in its own units; it reaches its maximum speed in 0.2 s."""
     most_speed = round(speed * counts_per_unit)
     lowest, highest = (round(end * counts_per_unit) for end in span)
     return JointType(name, unit, counts_per_unit, lowest, highest, most_speed, 5 * most_speed)
@@ -41,20 +39,20 @@ def _joint_type(name: str, unit: str, counts_per_unit: float, span: tuple[float,
 JOINTS = (
     _joint_type("shoulder", "degree", 50 * COUNTS_PER_REVOLUTION / 360, (-130, 130), 300),
     _joint_type("elbow", "degree", 50 * COUNTS_PER_REVOLUTION / 360, (-145, 145), 450),
-    # A ball screw of 10 mm a revolution.
+    # A ball screw with a pitch of 10 mm per revolution.
     _joint_type("z", "mm", COUNTS_PER_REVOLUTION / 10, (0, 150), 500),
     _joint_type("wrist", "degree", 20 * COUNTS_PER_REVOLUTION / 360, (-360, 360), 900),
 )
 
 
 class Scara(ServoRobot):
-    """The robot as a device of 16 addresses: four each of speed, position, position and speed set point."""
+    """The robot as a device of 16 addresses: four speeds, positions, position set points and speed set points."""
 
     NAME = "SCARA"
 
     @staticmethod
     def joint_types() -> tuple[JointType, ...]:
-        """Return the joints that it has."""
+        """Return the types of the joints."""
         return JOINTS
 
     def addresses(self) -> list[int]:
@@ -67,7 +65,7 @@ class Scara(ServoRobot):
         return self.joints[number], register
 
     def read(self, offset: int, now: float) -> int:
-        """Read a register."""
+        """Return the value of a register."""
         joint, register = self.find(offset)
         if register == 0:
             return round(abs(joint.state(now)[1]))

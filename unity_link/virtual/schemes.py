@@ -1,13 +1,13 @@
 """``sim:`` and ``rtl:``: a virtual gateway in this process, for tests and demonstrations without hardware.
 
-``sim:`` is a model of the gateware, ``rtl:`` the gateware itself, compiled; ``sim:scara`` and ``rtl:scara`` have the
-robot behind their bus, ``tosnet`` in place of ``scara`` has it behind the double buffers of a TosNet network;
-``sim:robot.ul`` and ``rtl:robot.ul`` have that of a spec, with a model of it by ``?model=my.py:Rover``, faults
-(``fault=``) and triggers (``trigger=state:10``).
+``sim:`` is a model of the gateware, and ``rtl:`` the compiled gateware. ``sim:scara`` and ``rtl:scara`` have the SCARA
+robot on their bus; with ``tosnet`` it has the double buffers of a TosNet network. ``sim:robot.ul`` and ``rtl:robot.ul``
+have the robot of a spec, optionally with a model (``?model=my.py:Rover``), faults (``fault=``) and triggers
+(``trigger=state:10``).
 
-Options choose its configuration, by the names of `GatewayInfo` (``sim:?data_bits=16&id_digits=3``), and what the line
-does to the bytes of both directions: ``loss``, ``flip``, ``double`` (probabilities for each byte, a ``seed`` chooses
-which), and ``bytes_per_second``. A model can have any configuration, the gateware those that were compiled.
+Options select the configuration by the fields of `GatewayInfo` (``sim:?data_bits=16&id_digits=3``), and faults and the
+rate of the line: ``loss``, ``flip`` and ``double`` (probabilities for each byte, with a ``seed``), and
+``bytes_per_second``. The model supports all configurations, ``rtl:`` those in this installation or of a spec.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ RTL = "rtl"
 
 
 async def prepare(url: DriverUrl) -> None:
-    """Compile the gateware, if it is wanted for the first time.
+    """Compile the gateware of an ``rtl:`` URL, unless it is in the cache.
 
     Raises:
-        ArgumentError: for a configuration that was not compiled.
-        ConnectError: where it can't be compiled here.
+        ArgumentError: if this installation does not have the configuration.
+        ConnectError: if the gateware cannot be compiled on this machine.
     """
     if url.scheme == RTL:
         await compile_gateway(_wanted(url))
@@ -41,8 +41,8 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     """Build a gateway and connect to it.
 
     Raises:
-        ArgumentError: for a robot or an option that does not exist, or a value that no gateway can have.
-        SpecError: with everything that is wrong with a spec.
+        ArgumentError: if a robot or an option does not exist, or no gateway can have one of the values.
+        SpecError: if the spec has faults; the error lists all of them.
     """
     gateway = build_gateway(
         _wanted(url),

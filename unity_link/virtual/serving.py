@@ -1,13 +1,13 @@
-"""Gateways for other programs: over a pty, TCP, a Unix socket or UDP.
+"""Serves gateways to other programs: over a pty, TCP, a Unix socket or UDP.
 
-`serve_pty`, `serve_tcp`, `serve_unix` and `serve_udp` are asynchronous context managers that give the URL to use.
-A served gateway lives on between its clients, as a board does: what it publishes while none is there is lost. It has
-one client at a time. On TCP and Unix sockets a second one is told so in a line of text and hung up on, so that nobody
-takes a running robot away from its controller by accident; on UDP a second one that opens a session takes the gateway,
-and the first is told (docs/protocol.md, "Datagrams").
+`serve_pty`, `serve_tcp`, `serve_unix` and `serve_udp` are asynchronous context managers that yield the URL. A served
+gateway keeps its state between clients, as a board does; samples without a client are lost. It has one client at a
+time. On TCP and Unix sockets a second client gets a line of text, and its connection is closed, so that it cannot take
+a running robot from its controller by accident. On UDP a second client that opens a session gets the gateway, and the
+first one is notified (docs/protocol.md, "Datagrams").
 
-Everything passes through a `GatewayTransport`. When the client does not read, that one is told to pause, and when that
-one is full, the client is not read from; nothing in between grows.
+All bytes pass through a `GatewayTransport`, with flow control: it is paused while the client does not read, and the
+client is paused while the transport is full.
 """
 
 from __future__ import annotations
@@ -39,39 +39,39 @@ if TYPE_CHECKING:
 
 BUSY = b"this gateway serves another client; try again when that has gone\r\n"
 GRACE = 0.1
-"""Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
+"""Seconds that a new client waits for the end of the earlier one, whose disconnection may be noticed later."""
 _LONGEST_REST = 65536
 _VIRTUAL = bytes.fromhex("02554D")
-"""First half of the MAC address of a virtual gateway, of which the rest is random."""
+"""First half of the MAC address of a virtual gateway; the second half is random."""
 _TCGETS2, _TERMIOS2_SIZE, _OUTPUT_SPEED = 0x802C542A, 64, 10
-"""Linux: how a terminal tells a speed that is none of the old ones; size and place are of `struct termios2`."""
+"""Linux: ioctl that reads any baud rate of a terminal; size of `struct termios2`, and index of the rate in it."""
 
 
 class ClientCounter(asyncio.Protocol):
-    """Connection between a gateway and its client of the moment."""
+    """The connections of a served gateway, of which at most one is the client."""
 
     def __init__(self, gateway: Gateway) -> None:
         self.gateway = GatewayTransport(gateway, self, at_once=True)
         self.sender: asyncio.WriteTransport | None = None
-        """Transport for bytes to the client."""
+        """Transport to the client; None without a client."""
         self.reader: asyncio.ReadTransport | None = None
-        """Transport for bytes of the client."""
+        """Transport from the client; None without a client."""
         self.connected: set[asyncio.Transport] = set()
-        """All connections: that of the client, and those that are still to be served or refused."""
+        """All connections: that of the client, and those that wait to be served or refused."""
         self._over = False
 
     @property
     def taken(self) -> bool:
-        """Return whether there is a client."""
+        """True if there is a client."""
         return self.reader is not None
 
     def leave(self) -> None:
-        """Record that the client has gone."""
+        """Record that the client has disconnected."""
         self.sender = self.reader = None
         self.gateway.resume_reading()
 
     def admit(self, transport: asyncio.Transport) -> bool:
-        """Record a connection; return False for one that was made when all had been hung up on."""
+        """Record a connection and return True; after `hang_up` close it and return False."""
         if self._over:
             transport.abort()
         else:
@@ -79,7 +79,7 @@ class ClientCounter(asyncio.Protocol):
         return not self._over
 
     def hang_up(self) -> None:
-        """End all connections, and admit none any more."""
+        """Close all connections, and accept no more."""
         self._over = True
         for transport in tuple(self.connected):
             transport.abort()
@@ -87,23 +87,23 @@ class ClientCounter(asyncio.Protocol):
     # Called by the gateway's side
 
     def data_received(self, data: bytes) -> None:
-        """Hand on what the gateway sends; without a client it is lost."""
+        """Pass bytes of the gateway to the client; without a client they are lost."""
         if self.sender is not None:
             self.sender.write(data)
 
     def pause_writing(self) -> None:
-        """Stop listening to the client."""
+        """Pause reading from the client."""
         if self.reader is not None:
             self.reader.pause_reading()
 
     def resume_writing(self) -> None:
-        """Listen again."""
+        """Resume reading from the client."""
         if self.reader is not None:
             self.reader.resume_reading()
 
 
 class _Client(asyncio.Protocol):
-    """The client's side of a stream."""
+    """A connection of a client or of a further program, over a stream."""
 
     def __init__(self, counter: ClientCounter) -> None:
         self._counter = counter
@@ -111,7 +111,7 @@ class _Client(asyncio.Protocol):
         self._transport: asyncio.Transport
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        # No check by class: the transports of uvloop are of none of asyncio's.
+        # Do not check the class: uvloop's transports are not derived from asyncio's.
         self._transport = client = cast("asyncio.Transport", transport)
         if not self._counter.admit(client):
             return
@@ -136,10 +136,10 @@ class _Client(asyncio.Protocol):
 
     def _refuse(self, transport: asyncio.Transport) -> None:
         transport.write(BUSY)
-        # It may have reset the connection meanwhile.
+        # The other side may have reset the connection already.
         with contextlib.suppress(OSError):
             transport.write_eof()
-        # To close with something unread would reset the connection, and the client would not see what was written.
+        # Closing with unread bytes would reset the connection, and the program would not get the text.
         transport.resume_reading()
         asyncio.get_running_loop().call_later(GRACE, transport.close)
 
@@ -155,7 +155,7 @@ class _Client(asyncio.Protocol):
         if self._served:
             self._counter.gateway.resume_reading()
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (the reason does not matter)
         self._counter.connected.discard(self._transport)
         if self._served:
             self._counter.leave()
@@ -172,7 +172,7 @@ async def _counter(gateway: Gateway) -> AsyncIterator[ClientCounter]:
 
 @contextlib.contextmanager
 def _hanging_up(counter: ClientCounter) -> Iterator[None]:
-    """Hang up on all clients at the end."""
+    """Close all connections at the end of the block."""
     try:
         yield
     finally:
@@ -181,10 +181,10 @@ def _hanging_up(counter: ClientCounter) -> Iterator[None]:
 
 @serving("a gateway")
 async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> AsyncIterator[str]:
-    """Serve a gateway on a TCP port; 0 chooses a free one. Gives its URL.
+    """Serve a gateway on a TCP port, and yield its URL; port 0 chooses a free port.
 
     Raises:
-        ConnectError: where the port can't be opened.
+        ConnectError: if the port cannot be opened.
     """
     async with _counter(gateway) as counter, listen_tcp(lambda: _Client(counter), port, host) as url:
         with _hanging_up(counter):
@@ -193,10 +193,10 @@ async def serve_tcp(gateway: Gateway, port: int = 0, host: str = LOOPBACK) -> As
 
 @serving("a gateway")
 async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIterator[str]:
-    """Serve a gateway on a Unix socket that only this user may open, and that is removed at the end. Gives its URL.
+    """Serve a gateway on a Unix socket that only this user can open, and yield its URL; remove the socket at the end.
 
     Raises:
-        ConnectError: where something else is at the path, or it can't be used.
+        ConnectError: if the path belongs to another file or a running server, or cannot be used.
     """
     async with _counter(gateway) as counter, listen_unix(lambda: _Client(counter), path) as url:
         with _hanging_up(counter):
@@ -204,7 +204,7 @@ async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIte
 
 
 class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
-    """The clients' side of a datagram socket: a stream towards the gateway, datagrams towards its clients."""
+    """The clients of a gateway on a UDP socket: converts between their datagrams and the gateway's stream."""
 
     def __init__(self, counter: ClientCounter, codec: Codec, name: str) -> None:
         super().__init__()
@@ -231,7 +231,7 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         info = self._info
         return discovery.Found(
             self._mac,
-            # A socket is reached under the addresses of its machine, and takes no other.
+            # The IP address is that of this machine, and a host cannot assign another one.
             discovery.NOWHERE,
             info.build_id,
             Feature.FINGERPRINT in info.features,
@@ -240,7 +240,7 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         )
 
     def error_received(self, exc: Exception) -> None:
-        """Ignore that the host does not listen any more: a board would not hear of it."""
+        """Ignore the error that the client's port is closed: a board would not notice it."""
 
     def pause_writing(self) -> None:
         self._counter.gateway.pause_reading()
@@ -251,18 +251,18 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
     # Called by the gateway's side
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Send whole frames; the beginning of one waits for its end."""
+        """Send complete frames; keep the beginning of an incomplete one until its end follows."""
         data = self._rest + data
         end = end_of_last(data)
         self._rest = data[end:] if len(data) - end <= _LONGEST_REST else b""
         self._datagrams.put(data[:end])
 
     def pause_reading(self) -> None:
-        """Lose the datagrams that come from now on, as a board does that has no room for them."""
+        """Drop received datagrams from now on, as a board with full buffers does."""
         self._reading = False
 
     def resume_reading(self) -> None:
-        """Take datagrams again."""
+        """Process received datagrams again."""
         self._reading = True
 
     def _send(self, datagram: bytes, address: Any) -> None:
@@ -273,17 +273,17 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
 async def serve_udp(
     gateway: Gateway, port: int = 0, host: str = LOOPBACK, *, node: int | None = None, name: str = ""
 ) -> AsyncIterator[str]:
-    """Serve a gateway on a UDP port; 0 chooses a free one. Gives its URL. `unity-link find` finds it.
+    """Serve a gateway on a UDP port, and yield its URL; `unity-link find` finds the gateway.
 
     Args:
-        gateway: what is served.
-        port: of this machine.
-        host: the network address to listen at.
-        node: the gateway's number on a shared medium, or None.
-        name: what it is called where it is found.
+        gateway: the gateway.
+        port: UDP port; 0 chooses a free port.
+        host: network address to listen on.
+        node: node number of the gateway on a shared medium; None if the medium is not shared.
+        name: name of the gateway in the results of a search.
 
     Raises:
-        ConnectError: where the port can't be opened.
+        ConnectError: if the port cannot be opened.
     """
     async with _counter(gateway) as counter:
         loop = asyncio.get_running_loop()
@@ -298,17 +298,17 @@ async def serve_udp(
             yield url_of("udp", host, transport.get_extra_info("sockname")[1])
         finally:
             transport.close()
-            # The port is free in the next turn of the loop.
+            # The event loop closes the socket in its next turn.
             await asyncio.sleep(0)
 
 
 class _PtySide(_Client):
-    """One direction of a pty, which asyncio treats as two pipes."""
+    """One direction of a pty, which is two pipes for asyncio."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         self._transport = cast("asyncio.Transport", transport)
         self._served = True
-        # The transport of a write pipe calls itself a read transport, too.
+        # Check for a write transport first: that of a write pipe is an instance of both classes.
         if isinstance(transport, asyncio.WriteTransport):
             self._counter.sender = transport
         elif isinstance(transport, asyncio.ReadTransport):
@@ -319,18 +319,18 @@ class _PtySide(_Client):
 async def serve_pty(
     gateway: Gateway, link: str | os.PathLike[str] | None = None, *, baud: float | None = None
 ) -> AsyncIterator[str]:
-    """Serve a gateway on a pseudo terminal, which looks like a serial port. Gives its URL.
+    """Serve a gateway on a pseudo-terminal, which looks like a serial port, and yield its URL.
 
-    The port may be closed and opened again; what the gateway sends meanwhile waits in the terminal until that is full.
+    The port may be closed and opened again; meanwhile the gateway's bytes wait in the terminal until it is full.
 
     Args:
-        gateway: what is served.
-        link: path of a symbolic link to the terminal, under which it can be found again; removed at the end.
-        baud: speed of the gateway's UART, bits a second: a client whose port has another hears garbage, and so does
-            the gateway. None for a terminal whose speed is of no effect, as usual.
+        gateway: the gateway.
+        link: path of a symbolic link to the terminal, which is removed at the end; None for no link.
+        baud: baud rate of the gateway's UART; if the client's port has another rate, both sides receive wrong bytes.
+            None if the rate has no effect, as usual for a pseudo-terminal.
 
     Raises:
-        ConnectError: where there is something at the path already, or no terminal is left.
+        ConnectError: if a file exists at the path of the link, or the system has no free terminal.
     """
     async with contextlib.AsyncExitStack() as stack:
         try:
@@ -340,9 +340,9 @@ async def serve_pty(
         if baud is not None:
             gateway = UartLine(gateway, baud, lambda: _speed(master))
         counter = await stack.enter_async_context(_counter(gateway))
-        # As long as the port's side is open here, a client may come and go.
+        # Keep the port's side open: otherwise the terminal would end with the first client.
         stack.callback(os.close, port)
-        # Not there on Windows, where nothing above is either.
+        # Windows does not have this module, nor pseudo-terminals.
         import tty
 
         tty.setraw(port)
@@ -360,8 +360,8 @@ async def serve_pty(
 
 
 def _speed(master: int) -> float:
-    """Return the speed that the other side of a pseudo terminal has set."""
-    # Not there on Windows, where there are no pseudo terminals either.
+    """Return the baud rate that the other side of a pseudo-terminal has set."""
+    # Windows does not have this module, nor pseudo-terminals.
     import fcntl
 
     settings = array.array("i", bytes(_TERMIOS2_SIZE))
@@ -374,7 +374,7 @@ def _absolute(path: str | os.PathLike[str]) -> Path:
 
 
 def _linked(link: Path, name: str, stack: contextlib.AsyncExitStack) -> Path:
-    """Make a symbolic link to a terminal; one that leads nowhere any more is replaced."""
+    """Make a symbolic link to a terminal, in the place of a dangling link if there is one."""
     try:
         if link.is_symlink() and not link.exists():
             link.unlink()

@@ -1,6 +1,6 @@
-"""A joint with a servo: it moves to its set point as fast as its acceleration and the speed set point allow.
+"""A joint with a servo, which moves to its set point as fast as its acceleration and the speed set point allow.
 
-Motion is computed in closed form from the last change of a set point, so it does not depend on when anyone looks.
+The motion since the last change of a set point is computed in closed form, so it does not depend on the times of reads.
 """
 
 from __future__ import annotations
@@ -23,31 +23,31 @@ class JointType(msgspec.Struct, frozen=True):
 
 
 class Segment(msgspec.Struct, frozen=True):
-    """A stretch of motion at constant acceleration."""
+    """A part of a motion with constant acceleration."""
 
     duration: float
     acceleration: float
 
 
 def plan(distance: float, speed: float, most_speed: float, acceleration: float) -> list[Segment]:
-    """Plan the quickest motion that ends at rest.
+    """Return the fastest motion to a target that ends at rest.
 
     Args:
-        distance: to the target, signed.
-        speed: at the beginning, signed; it may be more than `most_speed`.
-        most_speed: the speed that the motion keeps to as soon as it can; 0 stops it as soon as it can.
-        acceleration: of speeding up and slowing down.
+        distance: signed distance to the target.
+        speed: signed speed at the beginning; it may exceed `most_speed`.
+        most_speed: limit of the speed, which a higher initial speed is reduced to; 0 to stop as fast as possible.
+        acceleration: magnitude of acceleration and deceleration.
     """
     braking = Segment(abs(speed) / acceleration, -math.copysign(acceleration, speed))
     overshoot = distance - speed * abs(speed) / (2 * acceleration)
     if most_speed == 0 or overshoot == 0:
         return [braking]
-    # From here on the target is ahead: `towards` is the speed in its direction.
+    # From here on use the direction of the target: `towards` is the speed, and `ahead` the distance.
     sign = math.copysign(1.0, overshoot)
     towards, ahead = sign * speed, sign * distance
     peak = min(math.sqrt(acceleration * ahead + towards**2 / 2), most_speed)
     if peak == 0:
-        # It ends so close to the target that the difference of its squares is lost.
+        # Braking ends so close to the target that rounding cancels the difference of the squares.
         return [braking]
     to_peak = math.copysign(acceleration, peak - towards)
     cruise = ahead - (peak**2 - towards**2) / (2 * to_peak) - peak**2 / (2 * acceleration)
@@ -59,7 +59,7 @@ def plan(distance: float, speed: float, most_speed: float, acceleration: float) 
 
 
 class ServoJoint:
-    """One joint: registers, and the motion that they command."""
+    """One joint: its set points, and its motion."""
 
     def __init__(self, kind: JointType) -> None:
         self.kind = kind
@@ -71,7 +71,7 @@ class ServoJoint:
         self._target = 0.0
 
     def command(self, now: float, *, set_point: int | None = None, speed_set_point: int | None = None) -> None:
-        """Change a set point at the time `now`, in seconds."""
+        """Change one or both set points at the time `now` in seconds."""
         self._position, self._speed = self.state(now)
         self._began = now
         if set_point is not None:
@@ -88,7 +88,7 @@ class ServoJoint:
         return self._speed * abs(self._speed) / (2 * self.kind.acceleration)
 
     def state(self, now: float) -> tuple[float, float]:
-        """Return position in counts and speed in counts/s at the time `now`, in seconds."""
+        """Return position in counts and speed in counts/s at the time `now` in seconds."""
         left, position, speed = now - self._began, self._position, self._speed
         for segment in self._segments:
             time = min(left, segment.duration)

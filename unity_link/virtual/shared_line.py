@@ -1,8 +1,8 @@
-"""An RS-485 line: several gateways on one pair of wires, on which two that send at the same time are found out.
+"""An RS-485 line: several gateways on one pair of wires, with detection of collisions.
 
-What is sent takes its time on the line. Each node hears what the host sends, and enables its driver for its answer half
-a bit and its lead behind the last stop bit, as the gateware's UART does. Where somebody begins to send while another
-still does, both are damaged, and `SharedLine.collisions` has a sentence of it.
+Bytes take the time of the line's baud rate. Each node receives the bytes of the host. For its answer it enables its
+driver half a bit and a lead time after the last stop bit, as the gateware's UART does. If two drivers send at the same
+time, the bytes of both are damaged, and `SharedLine.collisions` gets a sentence about it.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ if TYPE_CHECKING:
 
 DEFAULT_BAUD = 115_200
 _BITS = 10
-"""Bits of a byte, with start and stop bit."""
+"""Bits on the line for each byte, including start and stop bit."""
 _TURN_AROUND = 1.5
-"""Bits between the last stop bit of the host and the first start bit of a node."""
+"""Time in bits from the last stop bit of the host to the first start bit of a node."""
 _DAMAGED = b"\xff"
-"""Byte that is heard where two drivers are against each other."""
+"""Byte that is received while two drivers send."""
 
 
 def build_shared_line(
@@ -43,20 +43,20 @@ def build_shared_line(
     delay: float = 0.0,
     build: Callable[[GatewayInfo, int], Gateway] | None = None,
 ) -> SharedLine:
-    """Return a line with a half-duplex gateway of plain memory for each of some nodes.
+    """Return a line with a half-duplex gateway with plain memory for each node.
 
     Args:
-        nodes: their numbers.
-        baud: of the line.
-        info: the configuration of each.
-        delay: seconds from a request to the beginning of its answer, beyond what the UART needs.
-        build: makes the gateway of a configuration and a node; None: a model.
+        nodes: numbers of the nodes.
+        baud: baud rate of the line.
+        info: configuration of each gateway.
+        delay: seconds from a request to its answer, in addition to the turnaround time of the UART.
+        build: returns the gateway for a configuration and a node; None for models.
 
     Raises:
-        ArgumentError: for a number that no node can have, or two have, and for no node at all.
+        ArgumentError: if a number is out of range or occurs twice, or there is no node.
     """
     info = GatewayInfo() if info is None else info
-    # A UART without flow control, as there is no third wire.
+    # RS-485 has no wires for flow control.
     features = (info.features | Feature.HALF_DUPLEX) & ~Feature.FLOW_CONTROL
     info = msgspec.structs.replace(info, features=features)
     gateways: dict[int, Gateway] = {}
@@ -68,15 +68,15 @@ def build_shared_line(
 
 
 class SharedLine(Gateway):
-    """A line with gateways on it: towards the host it behaves as one.
+    """A line with several gateways, which has the interface of one gateway for the host.
 
     Args:
-        gateways: by the numbers of their nodes.
-        baud: of the line.
-        delay: seconds from a request to the beginning of its answer, beyond what the UART needs.
+        gateways: gateways by node number.
+        baud: baud rate of the line.
+        delay: seconds from a request to its answer, in addition to the turnaround time of the UART.
 
     Raises:
-        ArgumentError: where there is no gateway, or for a rate of 0 or less.
+        ArgumentError: if there is no gateway, or the baud rate is not positive.
     """
 
     def __init__(self, gateways: Mapping[int, Gateway], baud: int = DEFAULT_BAUD, delay: float = 0.0) -> None:
@@ -90,50 +90,51 @@ class SharedLine(Gateway):
         for gateway in gateways.values():
             gateway.wake = self._pass_on_wake
         self.gone: set[int] = set()
-        """Nodes without power: they hear nothing and send nothing."""
+        """Numbers of nodes without power, which neither receive nor send."""
         self.collisions: list[str] = []
+        """A sentence about each collision."""
         self.on_collision: Callable[[str], object] = lambda _: None
-        """Is told of each."""
+        """Is called with the sentence about each collision."""
         self._byte_time = _BITS / baud
         self._pause = _TURN_AROUND / baud + delay
         self._heard: deque[tuple[float, bytes]] = deque()
-        """Bytes that the host sends, and the instants at which their last stop bits are over."""
+        """Bytes of the host on the line, with the times at which their last stop bits end."""
         self._sent: list[_Sending] = []
-        """Transmissions of nodes."""
+        """Transmissions of nodes on the line."""
         self._places: _Places | None = None
 
     def _pass_on_wake(self) -> None:
         self.wake()
 
     def at(self, node: int) -> Place:
-        """Return the medium of a link to a node: what `unity_link.connect` takes in place of a URL."""
+        """Return the medium of a link to a node; `unity_link.connect` opens it like a URL."""
         return Place(self, node)
 
     def places(self) -> _Places:
-        """Return where links in the running loop take their places."""
+        """Return the links of the running event loop to the nodes of the line."""
         if self._places is None or self._places.is_over:
             self._places = _Places(self, -math.inf if self._places is None else self._places.line.owed_until)
         return self._places
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the first of the gateways, by address."""
+        """Words of the first gateway's memory, by address."""
         return next(iter(self.gateways.values())).memory
 
     @property
     def waiting(self) -> int:
-        """Bytes not looked at yet: as many as are on the line."""
+        """Number of bytes of the host on the line."""
         return sum(len(data) for _, data in self._heard)
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which something arrives, or a node sends by itself."""
+        """Time at which bytes arrive, or a node has something to do."""
         times = [until for until, _ in self._heard] + [sending.until for sending in self._sent]
         times += [due for gateway in self.gateways.values() if (due := gateway.next_due) is not None]
         return min(times, default=None)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Send bytes as the host; return what has arrived from the nodes."""
+        """Send bytes of the host at the time `now`; return the bytes that have arrived from nodes."""
         arrived = self.advance(now)
         if data:
             begins = max(now, self._heard[-1][0]) if self._heard else now
@@ -144,7 +145,7 @@ class SharedLine(Gateway):
         return arrived
 
     def advance(self, now: float, room: int | None = None) -> bytes:  # noqa: ARG002  (the line has a rate of its own)
-        """Let time pass, and return what has arrived."""
+        """Advance to the time `now`, and return the bytes that have arrived from nodes."""
         arrived = b""
         while (due := self.next_due) is not None and due <= now:
             for node, gateway in self.gateways.items():
@@ -161,7 +162,7 @@ class SharedLine(Gateway):
         return arrived
 
     def _send(self, node: int, data: bytes, begins: float) -> None:
-        """Send as a node."""
+        """Send bytes of a node, from the time `begins` or after its earlier bytes."""
         if not data or node in self.gone:
             return
         own = [sending.until for sending in self._sent if sending.node == node]
@@ -176,9 +177,16 @@ class SharedLine(Gateway):
         self._sent.append(_Sending(node, begins, until, _DAMAGED * len(data) if damaged else data))
 
     def _collide(self, name: str, begins: float, until: float, node: int | None = None) -> bool:
-        """Damage what nodes send in a time in which another sends; return whether there is any."""
+        """Damage the transmissions of nodes that overlap with another one; return True if there are any.
+
+        Args:
+            name: the other sender, for messages.
+            begins: start of the other transmission.
+            until: end of the other transmission.
+            node: number of the other sender; None for the host.
+        """
         others = [sending for sending in self._sent if sending.node != node and sending.until > begins]
-        # A node that will have begun within this time has an answer on its way.
+        # For a node, count only transmissions that begin before its own ends.
         others = [sending for sending in others if node is None or sending.begins < until]
         for other in others:
             other.data = _DAMAGED * len(other.data)
@@ -191,21 +199,21 @@ class SharedLine(Gateway):
 
 
 class _Sending:
-    """Transmission of a node."""
+    """A transmission of a node."""
 
     def __init__(self, node: int, begins: float, until: float, data: bytes) -> None:
         self.node, self.begins, self.until, self.data = node, begins, until, data
 
 
 class Place:
-    """The medium of a link to one node, in the loop in which it is opened, again and again; made by `SharedLine.at`."""
+    """The medium of a link to one node, which may be opened repeatedly; created by `SharedLine.at`."""
 
     def __init__(self, line: SharedLine, node: int) -> None:
         self.node = node
         self._line = line
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
-        """Connect a protocol to the line."""
+        """Connect a protocol to the node, in the running event loop."""
         places = self._line.places()
         transport = _PlaceTransport(places, places.line.join(self.node), protocol)
         places.protocols[self.node] = protocol
@@ -214,7 +222,7 @@ class Place:
 
 
 class _PlaceTransport(BufferedTransport):
-    """The connection of a link to one node."""
+    """The transport of a link to one node."""
 
     def __init__(self, places: _Places, seat: Seat, protocol: asyncio.Protocol) -> None:
         super().__init__(protocol, {"seat": seat, "byte_time": places.byte_time, "shortest_timeout": QUICK_TIMEOUT})
@@ -222,16 +230,16 @@ class _PlaceTransport(BufferedTransport):
         self._seat = seat
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Send a frame, in the turn of the link."""
+        """Send a frame in the link's slot; outside of it, drop the frame."""
         if not self._closing and self._seat.has_turn:
             self._places.transport.write(data)
 
     def get_write_buffer_size(self) -> int:
-        """Return how many bytes are not written yet."""
+        """Return the number of unwritten bytes: always 0."""
         return 0
 
     def abort(self) -> None:
-        """End the connection; an answer that is owed still comes."""
+        """Close the connection; a pending answer of the node still occupies the line."""
         if self._closing:
             return
         self._closing = True
@@ -243,11 +251,11 @@ class _PlaceTransport(BufferedTransport):
 
 
 class _Places(asyncio.Protocol):
-    """All links to the nodes of a line, in one event loop.
+    """All links of one event loop to the nodes of a line.
 
     Args:
         line: the line.
-        free_at: when the first turn may begin: an answer may be owed to links that were there before.
+        free_at: time at which the first slot may begin; earlier links may still have pending answers.
     """
 
     def __init__(self, line: SharedLine, free_at: float) -> None:
@@ -259,14 +267,14 @@ class _Places(asyncio.Protocol):
         self.transport = GatewayTransport(line, self)
 
     def leave(self, node: int) -> None:
-        """Forget a link; the last one leaves the line."""
+        """Remove a link; with the last link the connection to the line ends."""
         del self.protocols[node]
         if not self.protocols:
             self.is_over = True
             self.transport.abort()
 
     def data_received(self, data: bytes) -> None:
-        """Hand on what arrives to the link whose turn it is."""
+        """Pass received bytes to the link that has the slot."""
         holder = self.line.holder
         if holder is not None and holder.node in self.protocols:
             self.protocols[holder.node].data_received(data)

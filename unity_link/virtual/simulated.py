@@ -1,4 +1,4 @@
-"""A robot of a spec, simulated: a class that says how its values change, behind a virtual gateway.
+"""A simulated robot of a spec: a class that computes how the values of signals change.
 
 ::
 
@@ -11,7 +11,7 @@
     async with unity_link.connect(gateway) as link:
         ...
 
-Without a class the registers of the spec are memory. `registers` says what a bus sees of them.
+Without a class the registers of the spec are memory. `registers` models the registers on the bus.
 """
 
 from __future__ import annotations
@@ -42,19 +42,19 @@ if TYPE_CHECKING:
 
 _LOG = logging.getLogger("unity_link.virtual")
 MOST_AT_ONCE = 10.0
-"""Seconds of the robot's time that pass in one access at most; what is more is left out."""
+"""Largest number of seconds by which one access advances the robot; the rest of the time is skipped."""
 LONGEST_TURN = 0.25
-"""Seconds that a robot which is slower than time may take for one access."""
+"""Longest duration in seconds of one access to a robot that is slower than real time."""
 LONGEST_UNSEEN = 0.001
-"""Seconds between two steps of a robot without a step size of which hardware sees each instant."""
+"""Seconds between two steps of a robot without a step size, with compiled gateware."""
 _SLACK = 1e-9
 
 
 class Fault:
-    """Something that can go wrong with a robot, as an attribute of its class; it is True while it is switched on.
+    """A fault of a robot, declared as an attribute of its class; its value is True while the fault is on.
 
     Args:
-        doc: what it is, for those who switch it on.
+        doc: description of the fault for users.
     """
 
     def __init__(self, doc: str) -> None:
@@ -67,16 +67,16 @@ class Fault:
     def __get__(self, robot: SimulatedRobot | None, owner: type) -> Any:
         return self if robot is None else self._name in robot.faults
 
-    def __set__(self, robot: SimulatedRobot, on: bool) -> None:  # noqa: FBT001  (it is assigned)
+    def __set__(self, robot: SimulatedRobot, on: bool) -> None:  # noqa: FBT001  (it is an assignment)
         robot.set_fault(self._name, on=on)
 
 
 class RowValues(Sequence[Any]):
-    """Values of a row of signals of a simulated robot. They are read and set by their places, or all at once.
+    """Values of a row of signals, which are read and set by index, by slice, or all at once.
 
     Args:
-        part: that they are signals of.
-        labels: names of its attributes for them.
+        part: part of the robot with these signals.
+        labels: names of the part's attributes for the signals.
     """
 
     def __init__(self, part: Part, labels: list[str]) -> None:
@@ -87,20 +87,22 @@ class RowValues(Sequence[Any]):
         return len(self._labels)
 
     def __getitem__(self, place: Any) -> Any:
-        """Return a value; of several places a list."""
+        """Return a value, or for a slice a list of values."""
         found = self._labels[place]
         return getattr(self._part, found) if isinstance(found, str) else [getattr(self._part, one) for one in found]
 
     def __setitem__(self, place: Any, value: Any) -> None:
-        """Set a value, or those of several places.
+        """Set a value, or the values of a slice.
 
         Raises:
-            ArgumentError: for a value that the signal cannot have, or another number of values.
+            ArgumentError: if a signal cannot have its value, or the number of values is wrong.
         """
         found = self._labels[place]
         labels, values = ([found], [value]) if isinstance(found, str) else (found, [*value])
         if len(labels) != len(values):
-            raise ArgumentError(f"{labels[0]} and what follows are {len(labels)} signals, and {len(values)} were given")
+            raise ArgumentError(
+                f"{labels[0]} and the next ones are {len(labels)} signals, and {len(values)} values were given"
+            )
         for label, one in zip(labels, values, strict=True):
             setattr(self._part, label, one)
 
@@ -109,23 +111,23 @@ class RowValues(Sequence[Any]):
 
 
 class Part:
-    """A part of a simulated robot. Its signals are attributes, which are values; so are its parts."""
+    """A part of a simulated robot; its attributes are the values of its signals, and its parts."""
 
     _name: str
     _cells: dict[str, Cell]
     _pins: dict[str, int]
-    """Levels of the pins of a core, 0 or 1."""
+    """Levels of a core's pins by name, 0 or 1."""
     _unwired: frozenset[str]
-    """Names of the pins of a core that are `none` in the spec, which keep their levels."""
+    """Names of a core's pins that are `none` in the spec, and keep their levels."""
     _pin_set: Callable[[str], None]
-    """Is called with the name of a pin that the user's model has set."""
+    """Is called with the name of each pin that the user's model sets."""
     _started: bool
 
     def __getattr__(self, name: str) -> Any:
-        """Return the value of a signal; of a FIFO port, its `Queue`; of a pin of a core, 0 or 1.
+        """Return the value of a signal, the `Queue` of a FIFO port, or the level of a core's pin, 0 or 1.
 
         Raises:
-            AttributeError: for a signal that there is not.
+            AttributeError: if there is no such signal or pin.
         """
         cells = self.__dict__.get("_cells", {})
         if name not in cells:
@@ -139,11 +141,11 @@ class Part:
         return cell.value if cell.queue is None else cell.queue
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set the value of a signal or the level of a pin; before the first step also make an attribute of its own.
+        """Set the value of a signal or the level of a pin; before the first step also create other attributes.
 
         Raises:
-            ArgumentError: for a value that the signal or the pin cannot have.
-            AttributeError: for a signal that there is not.
+            ArgumentError: if the signal or the pin cannot have the value.
+            AttributeError: if there is no such signal or attribute.
         """
         cell = self.__dict__.get("_cells", {}).get(name)
         if cell is None and name in self.__dict__.get("_pins", {}):
@@ -165,7 +167,7 @@ class Part:
             raise ArgumentError(f"{cell.signal.path} is a FIFO port, which is not assigned to: put(value) appends one")
 
     def __repr__(self) -> str:
-        """Return its name and its values."""
+        """Return the name of the part, and the values of its signals."""
         values = ", ".join(f"{name}={cell.value!r}" for name, cell in self._cells.items() if cell.queue is None)
         return f"<{self._name}: {values}>"
 
@@ -182,47 +184,48 @@ class Part:
 
 
 class SimulatedRobot(Part):
-    """The base of models, and itself the one of a robot whose registers are memory.
+    """Base class of models; as it is, the model of a robot whose registers are memory.
 
-    A subclass overrides `start`, `step` and `written`. In all of them signals are attributes with the names of the spec
-    (one that Python or this class has taken gets ``_`` behind it), and have values in their units. Of one that accesses
-    clear, a model sets bits and a program clears them; a pulse is told to `written` alone.
+    A subclass overrides `start`, `step` and `written`. In these methods signals are attributes with the names of the
+    spec, and have values in their units. A name that is a keyword of Python or an attribute of this class gets the
+    suffix ``_``. In a signal that accesses clear, the model sets bits and a program clears them. A pulse is passed to
+    `written` only.
 
     Args:
-        interface: of a spec.
+        interface: interface of a spec.
 
     Raises:
-        ArgumentError: where the class hides a signal of the spec.
+        ArgumentError: if an attribute of the class has the name of a part of the spec.
     """
 
     step_seconds: ClassVar[float | None] = 0.001
-    """The robot's time passes in steps of so much; None: in one step up to each instant at which it is looked at."""
+    """Step size in seconds; None for a single step up to each time at which the robot is accessed."""
 
     interface: Interface
     """Declaration of the robot in the spec."""
     now: float
-    """Seconds since the robot began."""
+    """Seconds since the robot's start."""
     faults: set[str]
-    """The names of the faults that are switched on."""
+    """Names of the faults that are on."""
     fired: deque[tuple[float, int]]
-    """Instants and groups of fired triggers that the gateway has not seen yet."""
+    """Triggers that the robot has fired and the gateway has not processed: time, and number of the group."""
     cores: CoreModels
-    """The models of the cores of the spec."""
+    """Models of the cores of the spec."""
     _registers: Registers
     _parts: list[Part]
     _began: float | None
-    """Instant at which the robot began, on the clock of its callers."""
+    """Time of the robot's start on the callers' clock; None before it."""
     _last: float
-    """Instant of the last look, on the same clock."""
+    """Time of the last access on the callers' clock."""
     _steps: int
     refusal: str
-    """The reason why it refuses each access, which is that `step` has failed; empty while it has not."""
+    """Reason why the robot refuses all accesses after `step` has failed; empty before."""
     is_wired: bool
-    """True if compiled gateware answers the bus: it has the cores; a program does not see that `step` has failed."""
+    """True if compiled gateware has the registers and cores; programs then do not notice that `step` has failed."""
     _told_late: bool
 
     def __new__(cls, interface: Interface, *_: Any) -> Self:
-        """Put the signals of a spec in their places, so that `__init__` finds them there."""
+        """Create a robot with the signals of a spec, before `__init__` runs."""
         robot = super().__new__(cls)
         robot.interface = interface
         robot.now = robot._last = 0.0
@@ -240,39 +243,39 @@ class SimulatedRobot(Part):
         return robot
 
     def __init__(self, interface: Interface) -> None:
-        """Do nothing: a model's own attributes are made in `start`."""
+        """Do nothing: a model creates its own attributes in `start`."""
 
     def __repr__(self) -> str:
         """Return the name of the class."""
         return f"<{type(self).__name__} of {self.interface.name}>"
 
-    # What a model overrides
+    # Overridden by models
 
     def start(self) -> None:
-        """Set the first values of signals, which are 0 otherwise, and make attributes of the model's own."""
+        """Set initial values of signals, which are otherwise 0, and create the model's own attributes."""
 
     def step(self, dt: float) -> None:
-        """Let time pass.
+        """Advance the model.
 
         Args:
-            dt: seconds; always `step_seconds`, if that is not None.
+            dt: time in seconds; always `step_seconds` unless that is None.
         """
 
     def written(self, path: str, value: Value) -> None:
-        """Do what a write of a program does beside changing the value of a signal, which it has done already.
+        """Handle a write of a program; the value of the signal has changed already.
 
         Args:
-            path: of the signal in the spec, such as ``left.duty``.
-            value: what was written.
+            path: path of the signal in the spec, such as ``left.duty``.
+            value: the written value.
         """
 
-    # What a model, or who tries it, calls
+    # Called by models and tests
 
     def trigger(self, group: str) -> None:
-        """Fire the trigger of a group that is declared with TRIGGER, so that the gateway publishes it.
+        """Fire the trigger of a group that is declared with TRIGGER, so that the gateway publishes the group.
 
         Raises:
-            ArgumentError: for a group that there is not, or that has no trigger.
+            ArgumentError: if the group does not exist, or has no trigger.
         """
         self.fired.append(((self._began or 0.0) + self.now, self.triggered_group(group)))
 
@@ -280,7 +283,7 @@ class SimulatedRobot(Part):
         """Return the number of a group with a trigger.
 
         Raises:
-            ArgumentError: for a group that there is not, or that has no trigger.
+            ArgumentError: if the group does not exist, or has no trigger.
         """
         groups = {group.name: group for group in self.interface.groups}
         triggered = [group.name for group in groups.values() if group.trigger]
@@ -295,13 +298,13 @@ class SimulatedRobot(Part):
         """Switch a fault on or off.
 
         Args:
-            name: of a `Fault` of the class, or the path of a signal.
-            how: what is wrong with a signal: ``"error"``, ``"timeout"`` (accesses end so), or ``"frozen"`` (it reads
-                what it read first).
-            on: whether it is wrong from now on.
+            name: name of a `Fault` of the class, or path of a signal.
+            how: kind of a signal's fault: accesses end with a bus error (``"error"``) or time out (``"timeout"``), or
+                reads return the present value (``"frozen"``).
+            on: True to switch the fault on, False to switch it off.
 
         Raises:
-            ArgumentError: for a fault or a signal that there is not.
+            ArgumentError: if the fault or the signal does not exist.
         """
         if name in self.known_faults():
             (self.faults.add if on else self.faults.discard)(name)
@@ -317,7 +320,7 @@ class SimulatedRobot(Part):
 
     @classmethod
     def known_faults(cls) -> dict[str, str]:
-        """Return what its class says of each fault, by name."""
+        """Return the descriptions of the class's faults, by name."""
         return {
             name: fault.doc
             for base in reversed(cls.__mro__)
@@ -325,18 +328,18 @@ class SimulatedRobot(Part):
             if isinstance(fault, Fault)
         }
 
-    # Called by the bus and by who lets time pass
+    # Called by the bus and by gateways
 
     @property
     def next_step(self) -> float | None:
-        """Instant up to which time should pass without a call; None where that makes no difference."""
+        """Time at which `pass_time` should be called if no access occurs before; None if no call is necessary."""
         if self.refusal or self._began is None or self.step_seconds is None or not self._moves:
             return None
         return self._last + max(self.step_seconds, 0.01)
 
     @property
     def due(self) -> float | None:
-        """Instant of the next step; None where no step is to come."""
+        """Time of the next step; None if there are no steps."""
         if self.refusal or self._began is None or not self._moves:
             return None
         if self.step_seconds is None:
@@ -345,17 +348,17 @@ class SimulatedRobot(Part):
 
     @property
     def cells(self) -> Mapping[str, Cell]:
-        """Its signals by their paths in the spec."""
+        """Signals by path in the spec."""
         return self._registers.cells
 
     def read(self, offset: int, now: float) -> int:
-        """Read the word at an address."""
+        """Return the word at an address."""
         self.pass_time(now)
         return self._registers.read(offset, now)
 
     def write(self, offset: int, value: int, now: float) -> None:
         """Write the word at an address."""
-        # The words of a block come at one instant. What the first ones reach is told of them at once.
+        # All words of a block have the same time. `written` is called for each word before the next one is written.
         if now != self._last or self._began is None or self.refusal:
             self.pass_time(now)
         for cell in self._registers.write(offset, value):
@@ -363,47 +366,47 @@ class SimulatedRobot(Part):
             self.tell_written(cell)
 
     def tell_written(self, cell: Cell) -> None:
-        """Call `written` for a signal that has got a value of a program."""
+        """Call `written` for a signal that a program wrote."""
         self.written(cell.signal.path, cell.written if cell.queue is None else self._last_of(cell))
 
     def wire_pins(self, pins: Mapping[str, PinsOfCore]) -> None:
-        """Put the pins of compiled gateware in the place of those of the quick models.
+        """Replace the pins of core models by those of compiled gateware.
 
         Args:
-            pins: levels by the names of pins, by the paths of their components.
+            pins: pins of each core, by path of its component.
         """
         self.cores.meet_pins(pins)
         for part in self._parts:
-            if part._name in pins:  # noqa: SLF001  (it is made here)
+            if part._name in pins:  # noqa: SLF001  (this class creates it)
                 part.__dict__["_pins"] = pins[part._name]  # noqa: SLF001
                 part.__dict__["_pin_set"] = lambda _: None
 
     def prepare(self) -> None:
-        """Call `start`; from now on no attributes can be made."""
+        """Call `start`; after that, new attributes cannot be created."""
         self.start()
         for part in (self, *self._parts):
-            part._started = True  # noqa: SLF001  (it is made here)
+            part._started = True  # noqa: SLF001  (this class creates it)
 
     def begin(self, now: float) -> None:
-        """Begin the robot's time at an instant, if it has not begun."""
+        """Start the robot's time at `now`, unless it has started already."""
         if self._began is None:
             self._began = self._last = now
 
     def pass_time(self, now: float, *, until_fired: bool = False) -> None:
-        """Step up to an instant.
+        """Advance the robot to a time.
 
         Args:
-            now: the instant, in seconds of any origin.
-            until_fired: whether to stop behind a step that fires a trigger.
+            now: the time in seconds from any origin.
+            until_fired: True to stop after a step that fires a trigger.
 
         Raises:
-            AccessError: where `step` has failed, now or before.
+            AccessError: if `step` fails now, or has failed before.
         """
         if self.refusal:
             raise AccessError(ErrorCode.BUS_ERROR)
         self.begin(now)
         assert self._began is not None
-        # It goes back where the clock is that of another event loop.
+        # The time goes back if the calls come from another event loop with another clock.
         self._began -= max(0.0, self._last - now)
         self._last = now
         if not self._moves:
@@ -436,7 +439,7 @@ class SimulatedRobot(Part):
 
     def _step(self, dt: float) -> None:
         instant = (self._began or 0.0) + self.now
-        # Before the model, so that it finds what is safe by then, and behind it, for what it has moved.
+        # Advance the cores before the model, which then sees safe values in time, and after it, for changed pins.
         self.cores.step(instant)
         try:
             self.step(dt)
@@ -449,7 +452,7 @@ class SimulatedRobot(Part):
         self.cores.step(instant)
 
     def _leave_out(self, seconds: float) -> None:
-        """Let the robot's time fall behind."""
+        """Skip some of the callers' time, because the robot is too slow."""
         assert self._began is not None
         self._began += seconds
         if not self._told_late:
@@ -489,7 +492,9 @@ class SimulatedRobot(Part):
             return
         for attribute in map(_free_name, (*described.rows, *(below.name for below in described.parts))):
             if hasattr(type(self), attribute):
-                raise ArgumentError(f"{type(self).__name__}.{attribute} hides {attribute} of {name}: call it otherwise")
+                raise ArgumentError(
+                    f"{type(self).__name__}.{attribute} hides {attribute} of {name}: give it another name"
+                )
 
     def _make(self, described: ComponentSpec) -> Part:
         part = Part()
@@ -501,7 +506,7 @@ _TAKEN = frozenset({*dir(SimulatedRobot), *SimulatedRobot.__annotations__, *Part
 
 
 def _clock() -> float:
-    """Return seconds in which a robot may be slower than time: of the event loop, as modelled time waits for it."""
+    """Return a time in seconds to measure a robot's speed: that of the event loop, which may have simulated time."""
     try:
         return asyncio.get_running_loop().time()
     except RuntimeError:
@@ -509,19 +514,19 @@ def _clock() -> float:
 
 
 def _free_name(name: str) -> str:
-    """Return the attribute for a name of a spec."""
+    """Return the name of the attribute for a name in a spec."""
     while keyword.iskeyword(name) or name in _TAKEN:
         name += "_"
     return name
 
 
 def parse_fault(text: str) -> tuple[str, SignalFault]:
-    """Take ``left.speed:timeout`` or ``stuck`` apart: what is wrong, and how.
+    """Return the name and the kind of a fault from a text such as ``left.speed:timeout`` or ``stuck``.
 
     Raises:
-        ArgumentError: for a way that there is not.
+        ArgumentError: if the kind does not exist.
     """
     name, _, how = text.partition(":")
     if how and how not in SIGNAL_FAULTS:
-        raise ArgumentError(f"fault {text!r}: one of {', '.join(SIGNAL_FAULTS)} was expected behind the colon")
+        raise ArgumentError(f"fault {text!r}: one of {', '.join(SIGNAL_FAULTS)} was expected after the colon")
     return name, how or "error"  # type: ignore[return-value]

@@ -1,4 +1,4 @@
-"""A simulated robot behind a virtual gateway, whose time passes whether or not anybody looks."""
+"""A virtual gateway with a simulated robot, whose time also passes without accesses."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ _LOG = logging.getLogger("unity_link.virtual")
 
 
 class SimulatedGateway(BareGateway, Generic[R_co]):
-    """A gateway in front of a bare one that lets the time of a robot pass, and fires the triggers of groups.
+    """A gateway around another one, which advances a robot and fires triggers of groups.
 
     Args:
-        gateway: the bare one.
-        robot: what is behind its bus; None for anything that needs no time of its own.
+        gateway: the other gateway.
+        robot: the robot on its bus; None if there is only memory, or devices that need no time.
     """
 
     def __init__(self, gateway: BareGateway, robot: R_co) -> None:
@@ -44,9 +44,9 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         self._gateway = gateway
         self._now = 0.0
         self._rates: dict[int, tuple[float, float | None]] = {}
-        """Seconds between two edges of each group whose trigger fires by itself, and the instant of the next one."""
+        """Seconds between two edges, and time of the next edge, of each trigger that fires automatically, by group."""
         self._is_wired = False
-        """True if the bare gateway lets the robot's time pass."""
+        """True if the other gateway, as compiled gateware, advances the robot."""
         gateway.wake = self._pass_on_wake
         if robot is not None:
             wire = getattr(gateway, "wire", None)
@@ -60,24 +60,24 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words of plain memory, by address."""
+        """Words of plain memory, by address."""
         return self._gateway.memory
 
     @property
     def ports(self) -> Mapping[str, Port]:
-        """Ports of the compiled design, by name; none where the gateway is a model."""
+        """Ports of the compiled design, by name; empty for a model."""
         return getattr(self._gateway, "ports", {})
 
     # Triggers
 
     def fire(self, group: str | int) -> None:
-        """Fire the trigger of a group now; to be called where the event loop runs that serves the gateway.
+        """Fire the trigger of a group now; call this in the thread of the gateway's event loop.
 
         Args:
-            group: its name in the spec of the robot, or its number.
+            group: name of the group in the robot's spec, or its number.
 
         Raises:
-            ArgumentError: for a group that there is not, or that has no trigger.
+            ArgumentError: if the group does not exist, or has no trigger.
         """
         number = self._number(group)
         with contextlib.suppress(RuntimeError):
@@ -85,10 +85,10 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         self.trigger(self._now, number)
 
     def fire_at(self, group: str | int, rate_hz: float) -> None:
-        """Fire the trigger of a group by itself at a rate, from now on.
+        """Fire the trigger of a group automatically at a rate from now on.
 
         Raises:
-            ArgumentError: as `fire`, and for what is no rate.
+            ArgumentError: as for `fire`, or if the rate is not above 0 and up to 1e6 Hz.
         """
         if not 0 < rate_hz <= 1e6:
             raise ArgumentError(f"a trigger of {rate_hz:g} Hz was asked for: more than 0 to 1e6 Hz was expected")
@@ -96,7 +96,7 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         self.wake()
 
     def trigger(self, now: float, group: int | None = None) -> None:
-        """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""
+        """Apply a rising edge to the external trigger of a group, or of all; the next call returns the samples."""
         self._gateway.trigger(now, group)
         self.wake()
 
@@ -110,32 +110,32 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
             raise ArgumentError(f"there is no group {number}: this gateway has those from 0 to {self.info.groups - 1}")
         return number
 
-    # As every gateway
+    # The interface of gateways
 
     @property
     def waiting(self) -> int:
-        """Bytes that were received and not looked at yet."""
+        """Number of received and unprocessed bytes."""
         return self._gateway.waiting
 
     @property
     def refusal(self) -> str:
-        """The reason why the robot refuses each access; empty where it does not."""
+        """Reason why the robot refuses all accesses; empty if it does not."""
         return "" if self.robot is None or self._is_wired else self.robot.refusal
 
     @property
     def leaves_time_out(self) -> bool:
-        """Return whether the gateway leaves out what it is too late for."""
+        """True if the gateway skips time for which it is too late."""
         return self._gateway.leaves_time_out
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which the gateway has something to do, a trigger fires, or the robot's time is to pass."""
+        """Time at which the gateway has something to do, a trigger fires, or the robot must be advanced."""
         times = [self._gateway.next_due, None if self.robot is None or self._is_wired else self.robot.next_step]
         times += [self._now if edge is None else edge for _, edge in self._rates.values()]
         return min((time for time in times if time is not None), default=None)
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and return what is sent at once."""
+        """Process bytes received at the time `now` in seconds, and return the bytes to send."""
         self._now = now
         if self.robot is not None:
             self.robot.begin(now)
@@ -144,20 +144,20 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         return answer
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass up to `now` (seconds), and return what is sent."""
+        """Advance to the time `now` in seconds, and return the bytes to send."""
         self._now = now
         sent = self._gateway.advance(now, room)
-        # The robot stops where it fires a trigger, so that the group is read as it was then.
+        # The robot stops at each fired trigger, so that the group is read with the values of that time.
         while (edge := self._next_edge(now)) is not None:
             sent += self._gateway.advance(edge, None if room is None else max(0, room - len(sent)))
         return sent + self._gateway.advance(now, None if room is None else max(0, room - len(sent)))
 
     def _next_edge(self, now: float) -> float | None:
-        """Let time pass up to the next edge of a trigger, and apply it; None where there is none until `now`."""
+        """Advance the robot to the next edge of a trigger, apply the edge, and return its time; None if none is due."""
         rate = min(((edge or now, group) for group, (_, edge) in self._rates.items()), default=None)
         until = now if rate is None else min(rate[0], now)
         if self.robot is not None and not self._is_wired:
-            # The next access tells the program.
+            # A failure of the robot is reported by the next access.
             with contextlib.suppress(AccessError):
                 self.robot.pass_time(until, until_fired=True)
         if (edge := self._pass_on_fired()) is not None:
@@ -170,61 +170,61 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         return edge
 
     def _pass_on_fired(self) -> float | None:
-        """Apply the edges that the robot gave; return when the last was."""
+        """Apply the triggers that the robot has fired; return the time of the last one, or None."""
         edge = None
         while self.robot is not None and self.robot.fired:
             edge, group = self.robot.fired.popleft()
             self._gateway.trigger(edge, group)
         return edge
 
-    # As every bare one
+    # The interface of gateways without a line
 
     def reset(self) -> None:
-        """Go back to the state after power-up, and so the cores. Other things behind the bus stay as they are."""
+        """Restore the state after power-up, also of the cores; memory and other devices keep theirs."""
         self._gateway.reset()
         if self.robot is not None:
             self.robot.cores.reset()
 
     def ticks_at(self, now: float) -> int:
-        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+        """Return the number of clock cycles from the gateway's reset to the time of an access in seconds."""
         return self._gateway.ticks_at(now)
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses, which have none of their own; the first is its offset 0."""
+        """Attach a device to addresses without one; the first address has offset 0."""
         self._gateway.attach(device, addresses)
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has none of its own; its offsets are the addresses."""
+        """Attach a device to all addresses without one; its offsets are the addresses."""
         self._gateway.attach_elsewhere(device)
 
     def detach(self, addresses: Iterable[int]) -> None:
-        """Take the devices of addresses away again."""
+        """Detach the devices from addresses."""
         self._gateway.detach(addresses)
 
     def overflow(self) -> None:
-        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        """Lose bytes before the next received byte: the gateway answers their frame with error 09."""
         self._gateway.overflow()
 
     @property
     def send_immediate(self) -> int:
-        """Send-immediate mode of responses of the model: 0 off, 1 always, 2 adaptive."""
+        """Send-immediate mode of a model's responses: 0 off, 1 always, 2 adaptive."""
         return int(getattr(self._gateway, "send_immediate", 0))
 
     @property
     def flush_wanted(self) -> bool:
-        """Return whether the model has sent a sample that is to be flushed; the one who flushes clears it."""
+        """True after a model has sent a sample that requests a flush; the medium clears it at the flush."""
         return bool(getattr(self._gateway, "flush_wanted", False))
 
     @flush_wanted.setter
     def flush_wanted(self, wanted: bool) -> None:
-        self._gateway.flush_wanted = wanted  # type: ignore[attr-defined]  # it was asked for before
+        self._gateway.flush_wanted = wanted  # type: ignore[attr-defined]  # it was read before
 
 
 def make_robot(interface: Interface, model: type[SimulatedRobot] | None) -> SimulatedRobot:
-    """Make the robot of a spec; without a model its registers are memory.
+    """Return the robot of a spec; without a model its registers are memory.
 
     Raises:
-        ArgumentError: where the model is none of this spec.
+        ArgumentError: if the model does not fit the spec.
     """
     from unity_link.virtual.simulated import SimulatedRobot
 
@@ -248,12 +248,12 @@ def make_robot(interface: Interface, model: type[SimulatedRobot] | None) -> Simu
 
 
 def load_model(text: str) -> type[SimulatedRobot]:
-    """Return the class that ``my.py:Rover`` or ``my_package.rover:Rover`` names.
+    """Return the class of a text such as ``my.py:Rover`` or ``my_package.rover:Rover``.
 
-    The class may be left out where it is the only model.
+    The class may be omitted if it is the only model of the file or module.
 
     Raises:
-        ArgumentError: where there is none.
+        ArgumentError: if there is no such model.
     """
     from unity_link.virtual.simulated import SimulatedRobot
 
@@ -289,7 +289,7 @@ def _models_of(module: Any) -> str:
 
 
 def _import(place: str) -> Any:
-    """Import a file anew, or a module."""
+    """Return a module: import a file, even if it was imported before, or a module by name."""
     path = Path(place)
     is_file = path.suffix == ".py"
     if is_file and not path.is_file():
@@ -299,7 +299,7 @@ def _import(place: str) -> Any:
             return importlib.import_module(place)
         folder = str(path.resolve().parent)
         if folder not in sys.path:
-            # Where a script would find what is beside it.
+            # The file may import its neighbours, as a script may.
             sys.path.insert(0, folder)
         spec = importlib.util.spec_from_file_location(path.stem, path)
         assert spec is not None

@@ -1,17 +1,17 @@
-"""The SCARA of the Unity-Link paper as it stood in its laboratory: as node 2 of a TosNet network.
+"""The SCARA of the Unity-Link paper as in its laboratory: node 2 of a TosNet network.
 
 | address  | word                                               |
 |----------|----------------------------------------------------|
-| 00 to BF | the shared memory of three nodes, joints at 80 |
+| 00 to BF | shared memory of three nodes; the joints are at 80 |
 | F0       | CTRL                                               |
 | F4 to F7 | COMM, and the counters of resets, packets, errors  |
 
-The joints are at the addresses of the paper's figure 1, as those of `scara`, but behind double buffers, as TosNet's
-VHDL (tal_top.vhd) has them: what is written goes into a buffer of its own, and with the first cycle after a commit the
-buffers change places. The other buffer then has not got what was written last. What a node sends is shown as of the
-last cycle; commits of reads are done by the gateware in each cycle by itself. Both buffers begin with the set points
-that the joints have after power-up. What the paper does not tell is a choice made here: the length of a cycle, where
-CTRL and COMM stand, and their bits, which `unity_link.network.tosnet` documents.
+The joints have the addresses of the paper's figure 1, as in `scara`, but with double buffers as in TosNet's VHDL
+(tal_top.vhd). Writes go into one buffer, and the network sends the other one. In the first cycle after a commit the
+buffers are exchanged; the buffer for writes then lacks the values that were written last. Reads return the values that
+a node sent in the last cycle; the gateware commits reads in each cycle automatically. Both buffers start with the
+joints' set points after power-up. The paper does not specify the length of a cycle, the addresses of CTRL and COMM, and
+their bits; those here are our choice, and `unity_link.network.tosnet` documents them.
 """
 
 from __future__ import annotations
@@ -33,20 +33,21 @@ CYCLE = 0.001
 NODES = 3
 CTRL, COMM = 0xF0, 0xF4
 _SENT_TO = 4
-"""Bit of an address: words 4 to 7 of a register are sent to the node."""
+"""Bit of an address that is set for words 4 to 7 of a register, which are sent to the node."""
 _RUNNING = 0b0011
-"""`online` and `is_master`."""
+"""Bits `online` and `is_master` of COMM."""
 
 
 class SharedMemory:
-    """The memory of all nodes as a device, seen from the node that the gateway is.
+    """The memory of all nodes as a device of the gateway's node.
 
     Args:
-        words: how many it has.
+        words: number of words.
         cycle: seconds between two packets.
-        deliver: called with what the network sends after each change of the buffers, and the time of the packet.
-        sent_by: gives the word that a node sends at an address, at the time of a packet; None where it sends none.
-        initial: what stands in both buffers at first.
+        deliver: is called after each exchange of the buffers, with the words that the network sends and the time of the
+            packet.
+        sent_by: returns the word that a node sends at an address, at the time of a packet; None if it sends none.
+        initial: initial words of both buffers, by address.
     """
 
     def __init__(
@@ -60,34 +61,34 @@ class SharedMemory:
         self.words = words
         self.cycle = cycle
         self.buffers = [dict(initial or {}), dict(initial or {})]
-        """Buffers that are written to, and those that the network sends."""
+        """The buffer for writes, and the buffer that the network sends."""
         self.sent: list[dict[int, int]] = []
-        """Buffers that the network has sent, as of each change; the last 64."""
+        """Contents of the sent buffer after each of the last 64 exchanges."""
         self.resets, self.errors = 1, 0
         self._deliver = deliver
         self._sent_by = sent_by
         self._committed: dict[int, int] = {}
-        """The cycle of each commit that is under way, by its bit."""
+        """Number of the packet in which each pending commit was made, by the commit's bit."""
 
     def packets(self, now: float) -> int:
-        """Return how many packets there were until a time."""
-        # A time that is meant to be that of a packet may be a little less.
+        """Return the number of packets up to a time."""
+        # Rounding may put the time of a packet slightly before it.
         return math.floor(now / self.cycle + 1e-9)
 
     def commit(self, which: int, now: float) -> None:
-        """Exchange the buffers of `COMMIT_WRITE` or `COMMIT_READ` with the next packet."""
+        """Commit writes (`COMMIT_WRITE`), reads (`COMMIT_READ`) or both with the next packet."""
         self.pass_time(now)
         for bit in (COMMIT_WRITE, COMMIT_READ):
             if which & bit:
                 self._committed.setdefault(bit, self.packets(now))
 
     def committed(self, now: float) -> int:
-        """Return the commits that are under way."""
+        """Return the bits of the pending commits."""
         self.pass_time(now)
         return sum(self._committed)
 
     def pass_time(self, now: float) -> None:
-        """Let packets pass up to a time."""
+        """Send all packets up to a time."""
         packets = self.packets(now)
         for bit, at in list(self._committed.items()):
             if packets > at:
@@ -103,7 +104,7 @@ class SharedMemory:
             self._deliver(packet, now)
 
     def read(self, offset: int, now: float) -> int:
-        """Read a word: what a node sends as of the last packet, else what the buffer has."""
+        """Return the word that a node sent in the last packet, or otherwise the word in the buffer for writes."""
         self.pass_time(now)
         if not offset & _SENT_TO and self._sent_by is not None:
             word = self._sent_by(offset, self.packets(now) * self.cycle)
@@ -112,30 +113,30 @@ class SharedMemory:
         return self.buffers[0].get(offset, 0)
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Write a word into the buffer."""
+        """Write a word into the buffer for writes."""
         self.pass_time(now)
         self.buffers[0][offset] = value
 
 
 class Control:
-    """The words of CTRL and COMM of a memory as a device: CTRL at offset 0, COMM and the counters at 1 to 4."""
+    """CTRL and COMM of a shared memory as a device: CTRL at offset 0, COMM and the counters at offsets 1 to 4."""
 
     def __init__(self, memory: SharedMemory) -> None:
         self._memory = memory
 
     def read(self, offset: int, now: float) -> int:
-        """Read a word."""
+        """Return a word."""
         memory = self._memory
         return (memory.committed(now), _RUNNING, memory.resets, memory.packets(now), memory.errors)[offset]
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Commit; the state cannot be written."""
+        """Commit by a write to CTRL; writes to other words have no effect."""
         if offset == 0:
             self._memory.commit(value, now)
 
 
 class ScaraOnTosnet:
-    """The robot, and the network before it."""
+    """The robot at a TosNet network."""
 
     def __init__(self, scara: Scara) -> None:
         self.scara = scara
@@ -148,10 +149,10 @@ class ScaraOnTosnet:
 
     @classmethod
     def attach(cls, gateway: BareGateway) -> Self:
-        """Put such a robot behind a gateway.
+        """Return a robot and a network that are attached to a gateway.
 
         Raises:
-            ArgumentError: where the gateway's words are too narrow for its positions.
+            ArgumentError: if the gateway's words are too narrow for positions.
         """
         network = cls(Scara.made_for(gateway))
         gateway.attach(network.memory, range(NODES * NODE_WORDS))
@@ -166,7 +167,7 @@ class ScaraOnTosnet:
         return self._word(address, now) if address in self._offsets else None
 
     def _deliver(self, packet: Mapping[int, int], now: float) -> None:
-        # Each packet has all set points; a motion goes on where they are the same.
+        # Each packet has all set points. Write only changed ones, because a write restarts the motion.
         for address, word in packet.items():
             if address in self._offsets and self._last.get(address) != word:
                 self.scara.write(self._offsets[address], word, now)

@@ -1,10 +1,10 @@
-"""A gateway in this process, behind an `asyncio` transport: what ``sim:`` opens.
+"""An `asyncio` transport to a gateway in this process, as ``sim:`` opens it.
 
-It behaves as a serial port does: `write` returns at once, what is written in one turn of the loop is looked at in the
-next, and answers arrive in whole reads. It has no task. Each turn takes in at most `MOST_TAKEN` bytes, in pieces of
-which none has too many answers, and delivers at most `MOST_DELIVERED`, so the loop stays alive. A protocol that pauses
-reading stops the gateway from sending, and so from looking at requests, and so, when `HIGH_WATER` bytes wait, is itself
-asked to pause writing: no more than that is ever kept.
+It behaves like a serial port: `write` returns at once, bytes written in one turn of the event loop are processed in the
+next turn, and answers arrive in large reads. It has no task. Each turn processes at most `MOST_TAKEN` bytes, in pieces
+of `PIECE` bytes, and delivers at most `MOST_DELIVERED` bytes, so that the loop stays responsive. If the protocol pauses
+reading, the gateway stops sending and processing requests, and the protocol must pause writing once `HIGH_WATER` bytes
+wait; all buffers are therefore bounded.
 """
 
 from __future__ import annotations
@@ -24,21 +24,21 @@ MOST_TAKEN = 16384
 PIECE = 2048
 MOST_DELIVERED = 65536
 MOST_UNDELIVERED = 4 * MOST_BYTES
-"""Bytes for the protocol beyond which samples are lost; a clock that is late gives `MOST_BYTES` in one turn."""
+"""Number of undelivered bytes above which samples are lost; a late model clock sends `MOST_BYTES` in one turn."""
 
 
 class GatewayTransport(BufferedTransport):
-    """Pairs a protocol with a gateway on the running loop.
+    """The transport between a protocol and a gateway, on the running event loop.
 
     Args:
-        gateway: who answers.
-        protocol: who is answered.
-        at_once: whether what is written to a gateway at rest is answered before `write` returns, which saves a turn of
-            the loop; only for a protocol that expects `data_received` at that time.
+        gateway: the gateway.
+        protocol: receives the bytes.
+        at_once: True to call `data_received` before `write` returns if no turn is scheduled, which saves a turn of the
+            loop; the protocol must support that.
     """
 
     def __init__(self, gateway: ClockedGateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
-        refusal = lambda: gateway.refusal  # noqa: E731  (it is asked when an access is refused)
+        refusal = lambda: gateway.refusal  # noqa: E731  (read when an access is refused)
         super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT, "refusal": refusal})
         self._clock = ModelClock(gateway, self._collect, self._loop)
         self._to_gateway = bytearray()
@@ -60,22 +60,22 @@ class GatewayTransport(BufferedTransport):
             self._plan_turn()
 
     def resume_reading(self) -> None:
-        """Deliver again."""
+        """Deliver received bytes again."""
         self._reading = True
         self._plan_turn()
 
     def get_write_buffer_size(self) -> int:
-        """Return how many bytes the gateway has not taken yet."""
+        """Return the number of bytes that the gateway has not got yet."""
         return len(self._to_gateway)
 
     def close(self) -> None:
-        """Pass what was written to the gateway, and end."""
+        """Pass all written bytes to the gateway, then close the transport."""
         if not self._closing:
             self._clock.feed(bytes(self._to_gateway))
             self.abort()
 
     def abort(self) -> None:
-        """End at once."""
+        """Close the transport at once, and drop all buffered bytes."""
         if not self._closing:
             self._closing = True
             self._clock.close()
@@ -98,10 +98,10 @@ class GatewayTransport(BufferedTransport):
             self._loop.call_soon(self._turn)
 
     def _turn(self) -> None:
-        """Take requests, deliver answers, once each."""
+        """Process requests and deliver answers, once each."""
         if self._closing:
             return
-        # What happens from here on is looked at below.
+        # Calls from here on must not schedule a turn; this is decided below.
         self._turn_planned = True
         try:
             delivered = self._take_and_collect()
@@ -113,7 +113,7 @@ class GatewayTransport(BufferedTransport):
             self._protocol.data_received(delivered)
 
     def _take_and_collect(self) -> bytes:
-        """Take requests; return the answers that are to be delivered."""
+        """Process requests, and return the answers to deliver."""
         for _ in range(MOST_TAKEN // PIECE):
             if not self._can_take():
                 break

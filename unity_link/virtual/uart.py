@@ -1,8 +1,8 @@
-"""The bytes that a UART hears of another one that has a different speed.
+"""The bytes that a UART receives from another UART with a different baud rate.
 
-The line is high at rest. A byte is a low start bit, eight data bits, the lowest first, and a high stop bit. The hearer
-waits for a falling edge, and looks at the line in the middle of what it takes for bits. Where it finds the line low at
-the time of the stop bit, it hands on the byte all the same, as Linux does for a port in raw mode.
+The idle line is high. A byte consists of a low start bit, eight data bits, lowest first, and a high stop bit. The
+receiver waits for a falling edge, and then samples the line in the middle of each bit by its own baud rate. If the stop
+bit is low, it still delivers the byte, as Linux does for a port in raw mode.
 """
 
 from __future__ import annotations
@@ -18,7 +18,13 @@ _DATA_BITS = 8
 
 
 def hear(data: bytes, sent_at: float, heard_at: float) -> bytes:
-    """Return what is heard at a speed of bytes that are sent without a pause at another; both in bits a second."""
+    """Return the bytes that a UART receives when another one sends bytes without pauses.
+
+    Args:
+        data: the sent bytes.
+        sent_at: baud rate of the sender.
+        heard_at: baud rate of the receiver.
+    """
     levels = [1]
     for byte in data:
         levels += [0, *(byte >> bit & 1 for bit in range(_DATA_BITS)), 1]
@@ -45,12 +51,12 @@ def _level(levels: list[int], time: float) -> int:
 
 
 class UartLine(Gateway):
-    """A gateway behind a UART of one speed, whose host has a port of perhaps another.
+    """A gateway with a UART; the host's port may have another baud rate.
 
     Args:
-        gateway: what is behind the line.
-        baud: the speed of the gateway's UART, bits a second.
-        port_baud: returns that of the host's port.
+        gateway: the gateway.
+        baud: baud rate of the gateway's UART.
+        port_baud: returns the baud rate of the host's port.
     """
 
     def __init__(self, gateway: Gateway, baud: float, port_baud: Callable[[], float]) -> None:
@@ -66,27 +72,27 @@ class UartLine(Gateway):
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the gateway, by address."""
+        """Words of the gateway's memory, by address."""
         return self._gateway.memory
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which the gateway has something to do."""
+        """Time at which the gateway has something to do."""
         return self._gateway.next_due
 
     @property
     def waiting(self) -> int:
-        """Bytes that wait at the gateway."""
+        """Number of unprocessed bytes in the gateway."""
         return self._gateway.waiting
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds, and return those that are heard at once."""
+        """Send bytes to the gateway at the time `now` in seconds, and return the bytes that the host receives."""
         port = self._port_baud()
         if port == self._baud:
             return self._gateway.receive(data, now)
         return hear(self._gateway.receive(hear(data, port, self._baud), now), self._baud, port)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the bytes that are heard; see `Gateway`."""
+        """Advance to the time `now`, and return the bytes that the host receives; see `Gateway`."""
         sent, port = self._gateway.advance(now, room), self._port_baud()
         return sent if port == self._baud else hear(sent, self._baud, port)

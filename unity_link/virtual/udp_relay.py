@@ -1,7 +1,6 @@
-"""A bad network on purpose: a UDP port before that of a gateway, between which datagrams stray.
+"""A UDP relay in front of a gateway's port, with the faults of a bad network.
 
-A client gets a port of its own towards the gateway for each of its own ports, as behind a router, so that the gateway
-tells clients apart.
+Each client has its own port towards the gateway, as behind a router, so that the gateway can distinguish clients.
 """
 
 from __future__ import annotations
@@ -23,24 +22,24 @@ if TYPE_CHECKING:
 
 Address: TypeAlias = Any
 Parcel: TypeAlias = "tuple[bytes, Address]"
-"""A datagram and the client that it comes from or goes to."""
+"""A datagram, and the client that sent it or receives it."""
 _LARGEST = 65_536
 MOST_CLIENTS = 64
-"""Most clients; the one that has not been heard for longest is forgotten: a client has another port each time."""
+"""Largest number of clients; a further one replaces the client that has been silent for longest."""
 
 
 @serving("a network")
 async def relay_udp(url: str, towards: Straying[Parcel], back: Straying[Parcel]) -> AsyncIterator[str]:
-    """Relay the datagrams of clients to a gateway. Gives the URL for clients, a port of this machine.
+    """Relay the datagrams of clients to a gateway; yield the URL for clients, a port of this machine.
 
     Args:
-        url: of the gateway, ``udp://host:port``.
-        towards: what happens to datagrams on their way to the gateway, from all clients together.
-        back: what happens to those that it sends.
+        url: URL of the gateway, ``udp://host:port``.
+        towards: faults of the datagrams to the gateway, from all clients.
+        back: faults of the datagrams from the gateway.
 
     Raises:
-        ArgumentError: for a URL that names no host and port.
-        ConnectError: where there is no such host.
+        ArgumentError: if the URL has no host or no port.
+        ConnectError: if the host does not exist.
     """
     relay = _Relay(address(parse_url(url)), towards, back)
     try:
@@ -53,7 +52,7 @@ class _Relay:
     def __init__(self, gateway: tuple[str, int], towards: Straying[Parcel], back: Straying[Parcel]) -> None:
         with refused(*gateway):
             known = socket.getaddrinfo(*gateway, type=socket.SOCK_DGRAM)
-        # Gateways are served at IPv4 where nothing else is said, and localhost is often both.
+        # Prefer IPv4: by default gateways are served at an IPv4 address, and localhost often has both.
         chosen = min(known, key=lambda one: one[0] != socket.AF_INET)
         self._family, self._gateway = chosen[0], chosen[4]
         self._towards = towards
@@ -63,7 +62,7 @@ class _Relay:
         self._near.bind((LOOPBACK, 0))
         self._loop.add_reader(self._near, self._take)
         self._far: dict[Address, socket.socket] = {}
-        """The port towards the gateway of each client, whoever was heard last at the end."""
+        """Socket of each client towards the gateway; the client with the latest datagram is last."""
 
     @property
     def port(self) -> int:
@@ -85,7 +84,7 @@ class _Relay:
         return opened
 
     def _take(self) -> None:
-        """Pass on what clients sent."""
+        """Relay a datagram of a client to the gateway."""
         with contextlib.suppress(OSError):
             for datagram, client in self._towards.carry(self._near.recvfrom(_LARGEST)):
                 self._far_of(client).send(datagram)
@@ -102,7 +101,7 @@ class _Relay:
         return far
 
     def _take_back(self, far: socket.socket, client: Address) -> None:
-        """Pass on what the gateway sent to a client."""
+        """Relay a datagram of the gateway to a client."""
         with contextlib.suppress(OSError):
             for datagram, receiver in self._back.carry((far.recv(_LARGEST), client)):
                 self._near.sendto(datagram, receiver)

@@ -7,10 +7,10 @@ Joint j = 0..17 (leg j / 3) has four words at 0x10 + 4 j:
 | 0      | cpos: current position, counts, signed; read only                                |
 | 1      | spd: current speed, counts/s, signed; read only                                  |
 | 2      | pos_sp: position set point, counts, signed                                       |
-| 3      | spd_sp: speed set point, counts/s, unsigned: the most speed while moving         |
+| 3      | spd_sp: speed set point, counts/s, unsigned: the maximum speed while moving      |
 
-A turn has 65536 counts. `servo` says how a joint moves; all stand at 0 after power-up, with a quarter of
-their most speed as set point. Writing an actual value is a bus error.
+A revolution has 65536 counts. After power-up all joints are at rest at 0, with a quarter of their maximum as the speed
+set point. Writing an actual value is a bus error. `servo` computes the motion of a joint.
 """
 
 from __future__ import annotations
@@ -31,11 +31,11 @@ JOINTS_OF_A_LEG = ("coxa", "femur", "tibia")
 REGISTERS = 4
 COUNTS_PER_RADIAN = 65536 / (2 * math.pi)
 MOST_ANGLE, MOST_SPEED = 2, 10
-"""Limits of the joints in rad and rad/s."""
+"""Limits of the joints: angle in rad, and speed in rad/s."""
 
 
 def joint_type(name: str) -> JointType:
-    """Describe a joint; it reaches its most speed in 0.1 s."""
+    """Return a joint with the limits of this robot; it reaches its maximum speed in 0.1 s."""
     span, speed = round(MOST_ANGLE * COUNTS_PER_RADIAN), round(MOST_SPEED * COUNTS_PER_RADIAN)
     return JointType(name, "rad", COUNTS_PER_RADIAN, -span, span, speed, 10 * speed)
 
@@ -47,7 +47,7 @@ class Walker(ServoRobot):
 
     @staticmethod
     def joint_types() -> list[JointType]:
-        """Return the joints that it has."""
+        """Return the types of the joints."""
         return [joint_type(f"leg {leg + 1} {joint}") for leg in range(LEGS) for joint in JOINTS_OF_A_LEG]
 
     def addresses(self) -> list[int]:
@@ -60,7 +60,7 @@ class Walker(ServoRobot):
         return self.joints[number], register
 
     def read(self, offset: int, now: float) -> int:
-        """Read a register."""
+        """Return the value of a register."""
         joint, register = self.find(offset)
         position, speed = joint.state(now)
         return (round(position), round(speed), joint.set_point, joint.speed_set_point)[register]

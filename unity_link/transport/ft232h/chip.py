@@ -1,10 +1,10 @@
-"""An FT232H, or a port of an FT2232H, as every driver opens it: found, checked and configured through pyftdi.
+"""Finds, checks and configures an FT232H, or a port of an FT2232H, by pyftdi, for both drivers.
 
-pyftdi knows no FIFO mode: what the chip's pins are is written in its EEPROM, and only there. So that is looked at
-first; a chip that is a UART, or has a blank EEPROM, opens well and then never moves a byte.
+pyftdi cannot select the FIFO mode: only the EEPROM sets the mode of the pins. The EEPROM is therefore checked first;
+otherwise a chip that is a UART, or has a blank EEPROM, would open without an error and never transfer a byte.
 
-pyftdi says too little when something fails: its errors have no number, and a missing permission shows as a missing
-language. The causes are underneath (`find_errno`), and `explain` makes sentences of them.
+pyftdi's errors are hard to understand: they have no number, and a missing permission is reported as a missing language.
+`find_errno` finds the operating system's error that caused them, and `explain` describes it.
 """
 
 from __future__ import annotations
@@ -42,11 +42,11 @@ OPTIONS = frozenset({"mode", "latency", "event_char", "baud"})
 PACKET_SIZE = 512
 STATUS_SIZE = 2
 ERROR_BITS = 0x8E
-"""Bits of the second status byte: overrun, parity, framing, error in the FIFO (as a 16550's line status)."""
+"""Bits of the second status byte: overrun, parity, framing and FIFO errors (the line status of a 16550 UART)."""
 LATENCIES = range(1, 256)
 DEFAULT_BAUD = 115_200
 CONTROL_TIMEOUT_MS = 1000
-"""Milliseconds for requests to the chip; a chip that works takes less than one."""
+"""Time limit in milliseconds for requests to the chip; a working chip takes less than one."""
 UDEV_RULE = "/etc/udev/rules.d/70-ft232h.rules"
 UDEV_LINE = (
     'SUBSYSTEM=="usb", ATTR{idVendor}=="0403", ATTR{idProduct}=="6010|6014", '
@@ -55,37 +55,40 @@ UDEV_LINE = (
 _NO_PYFTDI = "an FT232H needs pyftdi, which is not installed: pip install 'unity-link[ftdi]'"
 _SUPPORTED = " or ".join(f"an {kind.name}" for kind in KINDS.values())
 _opened: list[Any] = []
-"""pyftdi's objects of the real ports that are open."""
+"""pyftdi's object of each open port of a real chip."""
 
 WRITE_PATIENCE = 5.0
-"""Seconds without any progress after which writing has failed: the gateware does not read from the chip."""
+"""Seconds without progress after which a write fails, because the gateware does not read from the chip."""
 
 log = logging.getLogger("unity_link.ft232h")
 
 
 class StandIn(Protocol):
-    """Interface of a module that stands in for a chip."""
+    """Interface of the module of a simulated chip."""
 
     OPTIONS: frozenset[str]
-    """Options of a URL besides those of every chip."""
+    """URL options in addition to those of all chips."""
 
     def open_ftdi(self, url: DriverUrl, mode: ChipMode) -> Any:
         """Return an open `pyftdi.ftdi.Ftdi`."""
 
 
 def options_of(url: DriverUrl) -> frozenset[str]:
-    """Return the names of the options that a URL may have."""
+    """Return the names of the options that a URL of this chip may have."""
     stand_in: StandIn | None = load_stand_in(url.host)
     return OPTIONS if stand_in is None else OPTIONS | stand_in.OPTIONS
 
 
 LATENCY: dict[SendImmediate, int] = {"off": 16, "always": 1, "adaptive": 1}
-"""The latency timer in ms for each mode of send-immediate: the driver's part, beside SIWU#. Off: full packets, for
-streams. Else the timer sends the rest soon after SIWU# has sent what is urgent."""
+"""Latency timer in ms for each send-immediate mode.
+
+In mode `off` full packets are sent, for the highest throughput. In the other modes SIWU# sends urgent bytes at once,
+and the timer sends the remaining bytes soon after.
+"""
 
 
 class ChipSettings(msgspec.Struct, frozen=True):
-    """Settings of the chip in a URL; None where it leaves that to the driver."""
+    """Settings of the chip from a URL; None for a setting that the driver chooses."""
 
     mode: ChipMode
     latency: int | None
@@ -94,10 +97,10 @@ class ChipSettings(msgspec.Struct, frozen=True):
 
 
 def settings_of(url: DriverUrl) -> ChipSettings:
-    """Return what a URL says.
+    """Return the settings in a URL.
 
     Raises:
-        ArgumentError: for a value that no chip takes, or not on this port.
+        ArgumentError: if a value is not possible on any chip or on this port.
     """
     mode = url.options.get("mode", "ft245")
     if mode not in get_args(ChipMode):
@@ -119,32 +122,32 @@ def settings_of(url: DriverUrl) -> ChipSettings:
 
 
 def asked_baud(url: DriverUrl) -> int | None:
-    """Return the rate in the URL of a chip that is a UART, in bits a second; None for any other URL."""
+    """Return the baud rate in the URL of a chip that is a UART; None for other URLs."""
     is_uart = url.scheme in SCHEMES and url.options.get("mode") == "uart"
     return url.integer("baud", DEFAULT_BAUD) if is_uart else None
 
 
 def describe_baud(baud: int) -> str:
-    """Return the rate that a chip makes of a wanted one, and by how much it differs, in words."""
+    """Return a sentence about the actual baud rate of a chip and its deviation from a requested rate."""
     made = made_of(baud)
     difference = f", not at {baud:,} ({made / baud - 1:+.2%})" if made != baud else ""
     return f"the chip runs at {made:,} baud{difference}"
 
 
 def made_of(baud: int) -> int:
-    """Return the rate that a chip of the H series makes of a wanted one, in bits a second, rounded.
+    """Return the actual baud rate, rounded, of a chip of the H series for a requested one.
 
-    Its clock of 12 MHz, or of 3 MHz below 1200, is divided by a number of eighths (FTDI's AN232B-05).
+    The chip divides a clock of 12 MHz (below 1200 baud, of 3 MHz) by a multiple of 1/8 (FTDI's AN232B-05).
     """
     clock = 12_000_000 if baud >= 1200 else 3_000_000
     return round(8 * clock / round(8 * clock / baud))
 
 
 class OpenChip:
-    """A port of a chip, open and configured. All methods block, and may be called from any thread.
+    """An open and configured port of a chip. All methods block, and may be called from any thread.
 
-    `device` is pyusb's, for transfers: pyftdi's own calls would wait a latency tick longer for each answer, look at the
-    status of the first packet only, and forget how much was written when a write times out.
+    Transfers use pyusb's `device`, because pyftdi's own calls wait a latency tick longer for each answer, check the
+    status of the first packet only, and lose the number of written bytes if a write times out.
     """
 
     def __init__(self, ftdi: Any, kind: ChipKind, settings: ChipSettings, url: DriverUrl) -> None:
@@ -157,13 +160,13 @@ class OpenChip:
         self.settings = settings
         self.url = url
         self.latency = 0
-        """ms."""
+        """Latency timer in ms."""
 
     def check_channel(self) -> None:
-        """Compare the EEPROM with what is wanted.
+        """Check that the EEPROM sets the pins to the mode in the URL.
 
         Raises:
-            ConnectError: where the port's pins are something else.
+            ConnectError: if the pins have another mode.
         """
         wanted: ChannelType = "UART" if self.settings.mode == "uart" else "FIFO"
         image = self.ftdi.read_eeprom()
@@ -175,7 +178,7 @@ class OpenChip:
             )
 
     def describe_channel(self, image: bytes) -> str:
-        """Return a sentence on what an EEPROM makes of the port's pins."""
+        """Return a sentence about the mode that an EEPROM's contents set for the port's pins."""
         name = self.kind.name
         name = f"the {name}" if self.kind.ports == 1 else f"port {port_letter(self.port)} of the {name}"
         if image == BLANK[: len(image)]:
@@ -185,7 +188,7 @@ class OpenChip:
         return f"the EEPROM makes {name} a {channel_type(image, self.kind, self.port)}"
 
     def configure(self) -> None:
-        """Set what the pins do and when packets go."""
+        """Set baud rate, bit mode, flow control, event character and latency timer, and empty the buffers."""
         from pyftdi.ftdi import Ftdi
 
         ftdi = self.ftdi
@@ -195,7 +198,7 @@ class OpenChip:
             ftdi.set_flowctrl("")
         elif self.settings.mode == "ft245-sync":
             ftdi.set_bitmode(0xFF, Ftdi.BitMode.SYNCFF)
-            # With this flow control, the chip itself obeys its FIFOs.
+            # With this flow control the chip stops transfers by itself when its FIFOs are full.
             ftdi.set_flowctrl("hw")
         character = self.settings.event_character
         ftdi.set_event_char(character or 0, character is not None)
@@ -203,12 +206,12 @@ class OpenChip:
         ftdi.purge_buffers()
 
     def tune(self, mode: SendImmediate) -> None:
-        """Choose the driver's part of a mode of send-immediate, as far as the URL leaves it open."""
+        """Set the latency timer for a send-immediate mode, unless the URL sets the timer."""
         self.latency = LATENCY[mode] if self.settings.latency is None else self.settings.latency
         self.ftdi.set_latency_timer(self.latency)
 
     def close(self, *, gone: bool = False) -> None:
-        """Let go of the port; of a chip that is `gone` nothing is asked."""
+        """Close the port; if the chip is `gone`, send no requests to it."""
         _close(self.ftdi, gone=gone)
 
 
@@ -221,30 +224,30 @@ def _close(ftdi: Any, *, gone: bool) -> None:
         try:
             ftdi.close(freeze=gone)
         except OSError:
-            # The kernel takes back nothing of a chip that is gone, and pyftdi leaves off at that.
+            # The kernel cannot take back the interface of an unplugged chip; pyftdi then stops before the release.
             UsbTools.release_device(device)
         if ftdi in _opened:
             _opened.remove(ftdi)
-        # pyftdi disposes of what its own search found only, and the other port may still be open.
+        # pyftdi disposes only of devices that it found itself. Keep the device while the other port is open.
         if not any(device is other for other, _ in UsbTools.Devices.values()):
             dispose_resources(device)
 
 
 def base_url(url: DriverUrl) -> str:
-    """Return the URL of the chip alone, in pyftdi's form."""
+    """Return the URL of the chip without options, in pyftdi's form."""
     return f"ftdi://{url.host}{url.path or '/1'}"
 
 
 def open_chip(url: DriverUrl, *, check: bool = True) -> OpenChip:
-    """Find a chip, open it for this program alone, check and configure it. Blocks for some 50 ms.
+    """Find a chip, open it exclusively, check and configure it. Blocks for about 50 ms.
 
     Args:
-        url: of the chip.
-        check: False to leave it as it is, for looking at its EEPROM.
+        url: URL of the chip.
+        check: False to only open the chip, for access to its EEPROM.
 
     Raises:
-        ArgumentError: for a URL that can't be of a chip.
-        ConnectError: where the chip is not there, or can't be used; it says why.
+        ArgumentError: if the URL is not that of a chip.
+        ConnectError: if the chip is not found or cannot be used; the message has the reason.
     """
     settings = settings_of(url)
     try:
@@ -285,10 +288,10 @@ def _kind_of(ftdi: Any, url: DriverUrl) -> ChipKind:
 
 
 def list_chips() -> list[tuple[str, str]]:
-    """Return URL and description of every port of the chips that are plugged in. Blocks.
+    """Return URL and description of each port of the connected chips. Blocks.
 
     Raises:
-        ConnectError: where they can't be asked.
+        ConnectError: if the chips cannot be read.
     """
     try:
         from pyftdi.ftdi import Ftdi
@@ -308,7 +311,7 @@ def list_chips() -> list[tuple[str, str]]:
 
 
 def _find_devices() -> list[Any]:
-    """Return pyusb's devices of the chips that are plugged in; nothing is asked of them."""
+    """Return pyusb's devices of the connected chips, without sending requests to them."""
     from pyftdi.ftdi import Ftdi
     from pyftdi.usbtools import UsbTools
     from usb.core import find
@@ -319,9 +322,9 @@ def _find_devices() -> list[Any]:
 
 
 async def open_in_thread(url: DriverUrl) -> OpenChip:
-    """Open a chip without keeping the event loop; see `open_chip`.
+    """Open a chip in a thread, as `open_chip` does.
 
-    Cancelled, it closes what it may have opened by then.
+    If the call is cancelled, the chip is closed once it is open.
     """
     opening = asyncio.get_running_loop().run_in_executor(None, open_chip, url)
     try:
@@ -344,7 +347,7 @@ def _open_real(url: DriverUrl) -> Any:
         raise ArgumentError(
             f"{url.text} names no port of a chip: ftdi://ftdi:232h/1, ftdi://ftdi:2232h/2 or ftdi://ftdi:232h:SERIAL/1"
         )
-    # It remembers chips that were unplugged, and does not know those that came since.
+    # pyftdi's list of devices is outdated after chips are plugged in or unplugged.
     UsbTools.flush_cache()
     ftdi = Ftdi()
     ftdi.timeouts = (CONTROL_TIMEOUT_MS, CONTROL_TIMEOUT_MS)
@@ -361,9 +364,12 @@ def _open_real(url: DriverUrl) -> Any:
 
 
 def _get_free_device(description: Any, port: int) -> Any:
-    """Return pyusb's device, of which this program has at most the other port open.
+    """Return pyusb's device of a chip, if this program has not opened the port yet.
 
-    pyftdi would share a port with what else in this program has opened it, and mix up their bytes.
+    pyftdi would allow opening the same port twice in one program, and mix up the bytes.
+
+    Raises:
+        OSError: EBUSY if this program has the port open.
     """
     from pyftdi.usbtools import UsbTools
 
@@ -380,7 +386,7 @@ def _get_free_device(description: Any, port: int) -> Any:
 
 
 def find_errno(error: BaseException | None) -> int | None:
-    """Return the number of the operating system's error at the bottom of an error of pyftdi or pyusb."""
+    """Return the number of the operating system's error that caused an error of pyftdi or pyusb."""
     while error is not None:
         if isinstance(error, OSError) and error.errno is not None:
             return error.errno
@@ -389,7 +395,7 @@ def find_errno(error: BaseException | None) -> int | None:
 
 
 def _find_reason() -> int | None:
-    """Return why a chip can't be asked for its strings, by asking all for something simpler."""
+    """Return the errno for which strings of a chip cannot be read, by sending a simpler request to all chips."""
     from usb.core import USBError
 
     for device in _find_devices():
@@ -413,12 +419,12 @@ _NO_LANGUAGE = "langid"
 
 
 def stuck() -> OSError:
-    """Return the error of a write that gets nowhere."""
+    """Return the error of a write without progress."""
     return OSError(errno.ETIME, f"the gateware has not read from the FTDI chip for {WRITE_PATIENCE:g} s")
 
 
 def explain(error: BaseException) -> str:
-    """Return the cause of an error of a chip that was open, in words."""
+    """Return a sentence about the cause of an error of an open chip."""
     if isinstance(error, OSError) and error.errno == errno.ETIME:
         return str(error.strerror)
     number = find_errno(error)
@@ -426,11 +432,11 @@ def explain(error: BaseException) -> str:
 
 
 def explain_opening(error: BaseException) -> str:
-    """Return the reason why a chip can't be opened, in words."""
+    """Return a sentence about the reason why a chip cannot be opened."""
     text = str(error)
     number = find_errno(error)
     if number is None and _NO_LANGUAGE in text:
-        # What pyusb makes of a device that can't be asked for its strings, whatever the reason.
+        # pyusb reports this for any failure to read the strings of a device.
         number = _find_reason()
     if number is None and "No backend" in text:
         return "libusb is not installed (Debian, Ubuntu: apt install libusb-1.0-0)"

@@ -1,6 +1,6 @@
-"""The EEPROM of a chip, as a user sees and changes it: what the pins of a port are after the next plug-in.
+"""Reads and changes the EEPROM of a chip, which sets the mode of each port's pins when the chip is plugged in.
 
-A sound content is changed in the one place that counts, by pyftdi; a blank or broken one is replaced by a new one.
+In a valid EEPROM pyftdi changes only this mode. A blank or invalid EEPROM gets new contents.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class EepromInfo(msgspec.Struct, frozen=True):
     """Settings of a port in an EEPROM."""
 
     chip: str
-    """Name of its kind."""
+    """Name of the chip, FT232H or FT2232H."""
     port: int
     channel_type: ChannelType
     is_valid: bool
@@ -31,14 +31,14 @@ class EepromInfo(msgspec.Struct, frozen=True):
     product: str
     serial: str
     description: str
-    """A sentence on what it makes of the pins."""
+    """A sentence about the mode of the pins."""
 
 
 def read_info(chip: OpenChip) -> EepromInfo:
     """Read the EEPROM. Blocks.
 
     Raises:
-        ConnectError: where the chip does not answer.
+        ConnectError: if the chip does not answer.
     """
     image = _read(chip)
     kind, port = chip.kind, chip.port
@@ -49,10 +49,10 @@ def read_info(chip: OpenChip) -> EepromInfo:
 
 
 def write_channel_type(chip: OpenChip, wanted: ChannelType) -> None:
-    """Write what the pins of the port are to be after the next plug-in, and read it back. Blocks.
+    """Write the mode of the port's pins from the next plug-in on, and read it back. Blocks.
 
     Raises:
-        ConnectError: where the chip does not answer, or did not keep what was written.
+        ConnectError: if the chip does not answer, or the EEPROM did not store the mode.
     """
     from pyftdi.eeprom import FtdiEeprom
     from pyftdi.ftdi import FtdiError
@@ -71,8 +71,8 @@ def write_channel_type(chip: OpenChip, wanted: ChannelType) -> None:
         raise ConnectError(f"the EEPROM could not be written: {explain_opening(error)}") from error
     if channel_type(_read(chip), chip.kind, chip.port) != wanted:
         raise ConnectError(
-            "the EEPROM did not keep what was written: the board has none, or it is one of 128 bytes; "
-            "FTDI's FT_PROG can write those"
+            "the EEPROM did not keep the new mode: the board has none, or one of 128 bytes, which FTDI's FT_PROG can "
+            "write"
         )
 
 

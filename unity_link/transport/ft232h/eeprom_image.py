@@ -1,6 +1,6 @@
-"""The image of the chip's EEPROM: a 93C56 of 256 bytes, by the layout that pyftdi, libftdi and FT_PROG read.
+"""Contents of the chip's EEPROM, a 93C56 of 256 bytes, in the layout of pyftdi, libftdi and FT_PROG.
 
-A chip whose EEPROM is blank, or has a wrong checksum, ignores it: all its ports are UARTs then, and it has no serial
+A chip ignores an EEPROM that is blank or has a wrong checksum: all of its ports are then UARTs, and it has no serial
 number.
 """
 
@@ -22,7 +22,7 @@ ChannelType = Literal["UART", "FIFO"]
 SIZE = 256
 BLANK = b"\xff" * SIZE
 _CHANNEL_TYPES: dict[ChannelType, int] = {"UART": 0, "FIFO": 1}
-"""Values of the byte of a port."""
+"""Values of the port's byte for each mode."""
 _VENDOR = 0x0403
 _HAS_SERIAL_NUMBER = 0x08
 _BUS_POWERED = 0x80
@@ -40,15 +40,15 @@ def build_eeprom(
     kind: ChipKind = FT232H,
     ports: Collection[int] = (PORT_A,),
 ) -> bytes:
-    """Build the content of an EEPROM, with its checksum.
+    """Return the contents of an EEPROM, with its checksum.
 
     Args:
-        channel_type: what the pins of `ports` are; those of the other port are a UART.
-        serial: number of the chip; it has none where this is empty.
-        manufacturer: its name.
-        product: its name; by default the virtual chip's.
-        kind: of the chip.
-        ports: by their numbers.
+        channel_type: mode of the pins of `ports`; other ports are UARTs.
+        serial: serial number; empty for none.
+        manufacturer: name of the manufacturer.
+        product: name of the product; None for that of the simulated chip.
+        kind: kind of chip.
+        ports: numbers of the ports that have the mode `channel_type`.
     """
     image = bytearray(SIZE)
     for port in ports:
@@ -69,7 +69,7 @@ def build_eeprom(
 
 
 def checksum(content: bytes | bytearray) -> int:
-    """Return the checksum of the words before the last one."""
+    """Return the checksum of all words before the last one, which holds the checksum."""
     value = 0xAAAA
     for (word,) in struct.iter_unpack("<H", content):
         value ^= word
@@ -78,7 +78,10 @@ def checksum(content: bytes | bytearray) -> int:
 
 
 def is_valid(image: bytes | bytearray) -> bool:
-    """Return whether a chip heeds this content. A memory of half the size reads as two halves of the same content."""
+    """Return True if a chip uses these contents, because their checksum is right.
+
+    A memory of 128 bytes is read as two equal halves.
+    """
     half = len(image) // 2
     if image[:half] == image[half:]:
         image = image[:half]
@@ -86,13 +89,13 @@ def is_valid(image: bytes | bytearray) -> bool:
 
 
 def channel_type(image: bytes | bytearray, kind: ChipKind = FT232H, port: int = PORT_A) -> ChannelType:
-    """Return what the pins of a port are after power-up."""
+    """Return the mode of a port's pins after power-up."""
     code = image[port - 1] & kind.type_mask
     return "FIFO" if is_valid(image) and code == _CHANNEL_TYPES["FIFO"] else "UART"
 
 
 def strings(image: bytes | bytearray, kind: ChipKind = FT232H) -> tuple[str, str, str]:
-    """Return manufacturer, product and serial number, each as one printable line, empty if there is none."""
+    """Return manufacturer, product and serial number, each as one printable line, which may be empty."""
     if not is_valid(image):
         return ("FTDI", kind.name, "")
     texts = []

@@ -1,7 +1,7 @@
-"""The transport of both drivers of the chips for the event loop; they differ in how they move bytes.
+"""Base class of the transports of both drivers, which differ in how they transfer bytes.
 
-``get_extra_info`` has ``send_immediate``, a coroutine function that takes a mode and chooses the driver's part of it,
-and ``line_errors``, the number of packets with which the chip reported lost bytes.
+``get_extra_info`` has ``send_immediate``, a coroutine function that sets the chip's latency timer for a mode, and
+``line_errors``, the number of packets in which the chip reported lost bytes.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
     import asyncio
 
 MOST_STALLS = 3
-"""Stalls without a byte in between that are cleared before the chip counts as broken."""
+"""Number of consecutive stalls without a transferred byte after which the connection fails."""
 
 
 class ChipTransport(BufferedTransport):
-    """A chip that a protocol reads from and writes to.
+    """The transport of a chip.
 
     Args:
-        protocol: reads and writes.
-        chip: is closed at the end.
+        protocol: receives the bytes.
+        chip: the chip; the transport closes it.
     """
 
     def __init__(self, protocol: asyncio.Protocol, chip: OpenChip) -> None:
@@ -36,7 +36,7 @@ class ChipTransport(BufferedTransport):
         self._error: ConnectError | None = None
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:
-        """Return what only these drivers have."""
+        """Return information that only these drivers have."""
         if name == "send_immediate":
             return self._send_immediate
         if name == "line_errors":
@@ -52,28 +52,28 @@ class ChipTransport(BufferedTransport):
             raise LinkLostError(explain(error), Outcome.EXECUTED) from error
 
     def get_write_buffer_size(self) -> int:
-        """Return how many bytes are not written."""
+        """Return the number of unwritten bytes."""
         return self._unwritten
 
     def _note(self, error: Exception) -> None:
-        """Keep why the chip is lost; the first error counts, and none of an end that was asked for."""
+        """Store the first error, as the reason for the loss of the chip, unless the transport is already closing."""
         if self._error is None and not self._closing:
             self._error = ConnectError(explain(error))
             self._error.__context__ = error
 
 
 class StatusStripper:
-    """Takes the status bytes out of what the chip sends, and looks at them.
+    """Removes the status bytes from received data, and checks them.
 
-    Every packet begins with two of them, and a read is cut into packets of 512 bytes.
+    Each packet of 512 bytes, or a shorter last one, begins with two status bytes.
     """
 
     def __init__(self) -> None:
         self.errors = 0
-        """Packets whose status reported an error of the line."""
+        """Number of packets whose status reported a line error."""
 
     def strip(self, data: bytes) -> bytes:
-        """Return the bytes of the gateway in a read."""
+        """Return the bytes that the gateway sent, from the data of one read."""
         for start in range(1, len(data), PACKET_SIZE):
             if data[start] & ERROR_BITS:
                 self._report(data[start])

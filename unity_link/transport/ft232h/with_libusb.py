@@ -1,13 +1,13 @@
-"""``ftdi-async://ftdi:232h/1``: an FT232H with several transfers always posted, driven by the event loop itself.
+"""``ftdi-async://ftdi:232h/1``: an FT232H with several transfers always submitted, without threads.
 
-A port of an FT2232H (``ftdi-async://ftdi:2232h/1``) is the same to it, with endpoints of its own.
+``ftdi-async://ftdi:2232h/1`` opens a port of an FT2232H in the same way.
 
-While one transfer is on its way to the program, the next one is already being filled, so the chip's FIFO (1 KiB, of an
-FT2232H 4 KiB) does not have to bridge what the computer does in between. libusb's descriptors are watched by the loop,
-its callbacks run in it, and there is no thread. Found, checked and configured is the chip by the same code as for
-``ftdi://``, which keeps it open for the requests that set its timer; the transfers go through python-libusb1.
+While the program processes one transfer, the next one is already being filled, so that the chip's FIFO (1 KiB; 4 KiB in
+an FT2232H) does not overflow if the computer is busy. The event loop polls libusb's descriptors and runs its callbacks.
+The chip is found, checked and configured by pyftdi, as for ``ftdi://``; pyftdi keeps it open for the requests that set
+its timer. Transfers use python-libusb1.
 
-usbfs says that a transfer has ended by making its descriptor *writable*: hence `add_writer`.
+usbfs reports a finished transfer by making its descriptor *writable*; therefore `add_writer` is used.
 """
 
 from __future__ import annotations
@@ -37,15 +37,18 @@ if TYPE_CHECKING:
 __all__ = ["OPTIONS", "connect", "options_of"]
 
 READ_SIZE = 8192
-"""Bytes of one posted transfer. Large ones do not make a lone answer late: a short packet ends them. But a stream of
-short answers fills the link's window before it fills a transfer of twice this size, and then waits for the latency
-timer; with half of it, the program works more for each byte (docs/paper.md)."""
+"""Size of one transfer in bytes.
+
+A large transfer does not delay a single answer, because a short packet ends the transfer. With transfers of twice this
+size, a stream of short answers would fill the link's window before the transfer, and wait for the latency timer. With
+half of this size, the program needs more processor time for each byte (docs/paper.md).
+"""
 POSTED_READS = 8
 MOST_WRITES = 4
-"""Transfers to the chip at a time."""
+"""Largest number of transfers to the chip at the same time."""
 WRITE_SIZE = 16384
 _ERRNO_OF_STATUS = {1: errno.EIO, 2: errno.ETIMEDOUT, 4: errno.EPIPE, 5: errno.ENODEV, 6: errno.EOVERFLOW}
-"""libusb's status of a transfer, as the operating system's error."""
+"""Operating system's error for each status of a transfer in libusb."""
 _COMPLETED, _CANCELLED, _STALLED = 0, 3, 4
 
 
@@ -64,7 +67,7 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
 
 def _open_usb(chip: OpenChip) -> tuple[Any, Any]:
-    """Return libusb's context and handle of the chip, or what its backend has in their place."""
+    """Return libusb's context and handle of the chip, or their replacements from the backend of a simulated chip."""
     from usb.util import release_interface
 
     device = chip.device
@@ -73,7 +76,7 @@ def _open_usb(chip: OpenChip) -> tuple[Any, Any]:
         release_interface(device, chip.interface)
         context, handle = open_for_transfers(device.bus, device.address, chip.interface)
     except OSError as error:
-        # It was unplugged since it was found.
+        # The chip was unplugged after it was found.
         raise ConnectError(explain(error)) from error
     return context, handle
 
@@ -113,13 +116,13 @@ _ERRNO_OF_LIBUSB = {
 
 
 def _os_error(error: Exception) -> Exception:
-    """Return the operating system's error that an error of libusb stands for."""
+    """Return the operating system's error for an error of libusb."""
     number = _ERRNO_OF_LIBUSB.get(getattr(error, "value", 0))
     return error if number is None else OSError(number, str(error))
 
 
 class OverlappedTransport(ChipTransport):
-    """A chip and its posted transfers. Everything happens in the loop."""
+    """The transport of a chip with overlapped transfers; all of its code runs in the event loop."""
 
     def __init__(self, protocol: asyncio.Protocol, chip: OpenChip, usb: tuple[Any, Any]) -> None:
         super().__init__(protocol, chip)
@@ -130,23 +133,23 @@ class OverlappedTransport(ChipTransport):
         self._reads = [self._handle.getTransfer() for _ in range(POSTED_READS)]
         self._idle_reads = list(self._reads)
         self._again: list[bytes] = []
-        """Bytes that a stalled endpoint did not take, in order."""
+        """Bytes that a stalled endpoint did not accept, in order."""
         self._data: dict[Any, bytes] = {}
-        """Data of each write."""
+        """Data of each submitted write."""
         self._under_way = 0
         self._in, self._out = chip.in_endpoint, chip.out_endpoint
         self._stalls = {self._in: 0, self._out: 0}
         self._clearing: set[int] = set()
         self._patience: asyncio.TimerHandle | None = None
-        """Runs while the chip takes nothing of what is posted."""
+        """Timer that runs while writes are submitted; each finished write restarts it."""
         settings = chip.settings
-        # On a slow line, no write may take long by itself.
+        # On a slow line, limit the size of a write, so that each write takes at most about a second.
         self._write_size = WRITE_SIZE if settings.mode != "uart" else min(WRITE_SIZE, max(settings.baud // 10, 64))
         self._watched: list[int] = []
         self._released = False
 
     def start(self) -> None:
-        """Post the reads."""
+        """Watch libusb's descriptors, and submit the reads."""
         for descriptor, events in self._context.getPollFDList():
             self._watch(descriptor, events)
         self._context.setPollFDNotifiers(
@@ -179,7 +182,7 @@ class OverlappedTransport(ChipTransport):
     # asyncio.Transport
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Post at once what there is a transfer for."""
+        """Submit bytes at once if a transfer is free, otherwise when one becomes free."""
         if not data or self._closing:
             return
         self._to_write.append(bytes(data))
@@ -188,18 +191,18 @@ class OverlappedTransport(ChipTransport):
         self._pause_writing_if_full()
 
     def resume_reading(self) -> None:
-        """Post reads again."""
+        """Submit reads again."""
         self._reading = True
         self._post_reads()
         self._loop.call_soon(self._deliver)
 
     def close(self) -> None:
-        """Write what is to be written, and end."""
+        """Write the buffered bytes, then close the chip."""
         self._closing = True
         self._loop.call_soon(self._release)
 
     def abort(self) -> None:
-        """End at once."""
+        """Close the chip at once, and drop unwritten bytes."""
         self._closing = self._aborted = True
         self._to_write.clear()
         self._again.clear()
@@ -209,7 +212,7 @@ class OverlappedTransport(ChipTransport):
     # Reading
 
     def _post_reads(self) -> None:
-        # While a closed transport still writes, the chip must not get stuck on what is not read.
+        # Continue reading while a closing transport writes: otherwise full FIFOs could block the writes.
         wanted = self._reading and not self._aborted and (not self._closing or self._unwritten)
         while self._idle_reads and wanted and self._in not in self._clearing:
             transfer = self._idle_reads.pop(0)
@@ -274,7 +277,7 @@ class OverlappedTransport(ChipTransport):
             self._take_failure(self._out, status)
         self._wait_for_progress()
         if self._writing_paused:
-            # The protocol may write, which is not for a callback of libusb.
+            # Not in a callback of libusb, because the protocol may write at once.
             self._loop.call_soon(self._resume_writing_if_calm)
 
     # Failures and the end
@@ -282,7 +285,7 @@ class OverlappedTransport(ChipTransport):
     def _submit(self, transfer: Any, idle: list[Any]) -> bool:
         try:
             transfer.submit()
-        except Exception as error:  # noqa: BLE001  (libusb's errors have a class of their own each)
+        except Exception as error:  # noqa: BLE001  (each error of libusb has its own class)
             idle.append(transfer)
             self._data.pop(transfer, None)
             self._fail(_os_error(error))
@@ -291,7 +294,7 @@ class OverlappedTransport(ChipTransport):
         return True
 
     def _take_failure(self, endpoint: int, status: int) -> None:
-        """Clear a stall; anything else is the end."""
+        """Clear a stalled endpoint; close the chip after other failures."""
         if status == _STALLED and self._stalls[endpoint] < MOST_STALLS:
             if endpoint not in self._clearing:
                 self._stalls[endpoint] += 1
@@ -313,12 +316,12 @@ class OverlappedTransport(ChipTransport):
         self._release()
 
     def _fail(self, error: Exception) -> None:
-        """End because of an error; the first one counts."""
+        """Close the chip because of an error; the first error is reported."""
         self._note(error)
         self.abort()
 
     def _release(self) -> None:
-        """Cancel what is under way, once it is closing and nothing is left to write, and at last release the chip."""
+        """Once closing and without bytes to write, cancel the submitted transfers, and close the chip after them."""
         if not self._closing or self._released or (self._unwritten and not self._aborted):
             return
         if self._under_way or self._clearing:
@@ -326,7 +329,7 @@ class OverlappedTransport(ChipTransport):
                 _cancel(transfer)
             return
         self._released = True
-        # Closing removes descriptors, in a thread that has no business in the loop.
+        # The chip is closed in a thread, whose calls must not reach the event loop: remove the notifiers first.
         self._context.setPollFDNotifiers()
         if self._patience is not None:
             self._patience.cancel()
@@ -351,8 +354,8 @@ class OverlappedTransport(ChipTransport):
 
 
 def _cancel(transfer: Any) -> None:
-    """Cancel a transfer, which ends soon, if it has not ended already."""
+    """Cancel a transfer if it is submitted; its callback still follows."""
     if transfer.isSubmitted():
-        # libusb may have ended it, with the callback still to come.
+        # The transfer may have finished already, although its callback has not run yet.
         with contextlib.suppress(Exception):
             transfer.cancel()

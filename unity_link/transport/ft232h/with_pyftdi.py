@@ -1,13 +1,14 @@
 """``ftdi://ftdi:232h/1``: an FT232H through pyftdi, in FT245 mode with send-immediate, or as a UART.
 
-A port of an FT2232H (``ftdi://ftdi:2232h/1``) is the same to it, with endpoints of its own.
+``ftdi://ftdi:2232h/1`` opens a port of an FT2232H in the same way.
 
-Reading and writing block, so each has a thread: one reads all the time and feeds the event loop, one writes what the
-loop gives it. A read can't be interrupted; the latency timer ends it, so nothing here takes longer to end than that.
-The other way, one hop to a thread for each transaction, can't hear samples (docs/how-to/ft232h.md has the figures).
+Reading and writing block, so each has a thread: one reads all the time and passes the bytes to the event loop, the
+other writes the bytes that it gets from the loop. A read cannot be interrupted, but the latency timer ends it, so
+closing takes no longer than one latency period. A single thread for all transfers could not receive unsolicited samples
+(docs/how-to/ft232h.md has the figures).
 
-Both directions are bounded: a program that writes faster than the chip is asked to pause, and the reading thread pauses
-while the loop has not taken what it read, which the chip passes on to the gateway by TXE#.
+Both directions have flow control. A program that writes faster than the chip is paused. The reading thread pauses while
+too many bytes wait for the event loop; the chip then stops the gateway by TXE#.
 """
 
 from __future__ import annotations
@@ -38,14 +39,14 @@ if TYPE_CHECKING:
 __all__ = ["OPTIONS", "connect", "options_of"]
 
 READ_SIZE = 16384
-"""Bytes of one read: the most that Linux moves in one piece."""
+"""Size of one read in bytes: the largest one that Linux transfers as a whole."""
 WRITE_SIZE = 16384
 MOST_UNREAD = 1 << 20
-"""Bytes that were read and not delivered, at which reading pauses."""
+"""Number of undelivered bytes above which reading pauses."""
 SLICE_MS = 250
-"""Milliseconds that a write may block before it is decided whether to go on."""
+"""Longest time in milliseconds that a write may block before it checks whether the transport was aborted."""
 READ_SLACK_MS = 1000
-"""Milliseconds beyond the latency timer that a read may take; the chip answers with status bytes when it ends."""
+"""Time limit of a read in milliseconds after the latency timer, at whose end the chip sends at least status bytes."""
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
@@ -58,12 +59,12 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 
 
 class ThreadedTransport(ChipTransport):
-    """A chip and its two threads."""
+    """The transport of a chip, with a thread for each direction."""
 
     def __init__(self, protocol: asyncio.Protocol, chip: OpenChip) -> None:
         super().__init__(protocol, chip)
         self._changed = threading.Condition()
-        """Guards what both threads and the loop use: all below, bytes unwritten, and how it ends."""
+        """Guards the data that the threads and the loop share: all attributes below, `_unwritten` and `_error`."""
         self._to_write: deque[bytes] = deque()
         self._unread: deque[bytes] = deque()
         self._unread_size = 0
@@ -72,14 +73,14 @@ class ThreadedTransport(ChipTransport):
         self._writer = threading.Thread(target=self._write_all, name="ft232h write", daemon=True)
 
     def start(self) -> None:
-        """Begin to read and write."""
+        """Start the threads."""
         self._writer.start()
         self._reader.start()
 
     # asyncio.Transport
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Hand over to the writing thread."""
+        """Pass bytes to the writing thread."""
         if not data or self._closing:
             return
         with self._changed:
@@ -89,16 +90,16 @@ class ThreadedTransport(ChipTransport):
         self._pause_writing_if_full()
 
     def resume_reading(self) -> None:
-        """Deliver again."""
+        """Deliver received bytes again."""
         self._reading = True
         self._deliver()
 
     def close(self) -> None:
-        """Write what is to be written, and end; the protocol is told within a latency tick of that."""
+        """Write the buffered bytes, then close the chip; `connection_lost` follows within one latency period."""
         self._end(aborted=False)
 
     def abort(self) -> None:
-        """End; the protocol is told within a latency tick."""
+        """Close the chip, and drop unwritten bytes; `connection_lost` follows within one latency period."""
         self._end(aborted=True)
 
     def _end(self, *, aborted: bool) -> None:
@@ -110,7 +111,7 @@ class ThreadedTransport(ChipTransport):
     # In the loop
 
     def _deliver(self) -> None:
-        """Pass what was read to the protocol."""
+        """Pass the received bytes to the protocol."""
         with self._changed:
             self._delivery_planned = False
             if self._closing or not self._reading or not self._unread:
@@ -125,7 +126,7 @@ class ThreadedTransport(ChipTransport):
         self._protocol.connection_lost(self._error)
 
     def _in_loop(self, callback: Any) -> None:
-        """Call a function in the loop; one that is closed is not called."""
+        """Call a function in the event loop; if the loop is closed, abort the transport."""
         try:
             self._loop.call_soon_threadsafe(callback)
         except RuntimeError:
@@ -134,10 +135,10 @@ class ThreadedTransport(ChipTransport):
     # In the reading thread
 
     def _read_all(self) -> None:
-        """Read until the end, which this thread then makes."""
+        """Read until the transport closes, then close the chip."""
         try:
             self._read_until_end()
-        except Exception as error:  # noqa: BLE001  (whatever it is, the link has to hear of it)
+        except Exception as error:  # noqa: BLE001  (the link must get any error)
             self._fail(error)
         self._writer.join()
         try:
@@ -147,7 +148,7 @@ class ThreadedTransport(ChipTransport):
 
     def _read_until_end(self) -> None:
         device, endpoint, stalls = self._chip.device, self._chip.in_endpoint, 0
-        # While a closed transport still writes, what is read has no reader, but the chip must not get stuck on it.
+        # Continue reading while a closing transport writes: otherwise full FIFOs could block the writes.
         while not self._closing or self._writer.is_alive():
             try:
                 data = device.read(endpoint, READ_SIZE, self._chip.latency + READ_SLACK_MS).tobytes()
@@ -184,11 +185,11 @@ class ThreadedTransport(ChipTransport):
                     calm = self._unwritten <= LOW_WATER
                 if calm and self._writing_paused:
                     self._in_loop(self._resume_writing_if_calm)
-        except Exception as error:  # noqa: BLE001  (whatever it is, the link has to hear of it)
+        except Exception as error:  # noqa: BLE001  (the link must get any error)
             self._fail(error)
 
     def _next_write(self) -> bytes:
-        """Wait for something to write; nothing at the end."""
+        """Wait for bytes to write, and return them; an empty result ends the thread."""
         with self._changed:
             while not self._to_write and not self._closing:
                 self._changed.wait()
@@ -222,7 +223,7 @@ class ThreadedTransport(ChipTransport):
     # In both
 
     def _fail(self, error: Exception) -> None:
-        """End because of an error; the first one counts."""
+        """Close the chip because of an error; the first error is reported."""
         with self._changed:
             self._note(error)
             self._closing = self._aborted = True

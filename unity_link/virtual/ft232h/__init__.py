@@ -1,16 +1,17 @@
-"""The virtual FT232H or FT2232H: the chip, the USB that it hangs on, and the gateway behind it, as a model.
+"""A simulated FT232H or FT2232H: the chip, the USB, and a gateway at the chip's pins.
 
-- `eeprom`: what the chip's memory says; `descriptors`: what it tells the USB of itself
-- `port`: two FIFOs and the rules for packets; `chip`: one or two of them, and requests; they know no time but what they
-  are told
-- `board`: a gateway behind the pins of a port; `rtl_board`: the gateware itself, cycle for cycle
-- `timing`: all numbers of the model, each with its source
-- `host`: the host controller: moves packets between transfers and chip in modelled time
-- `bus`: virtual devices on a clock, with what can be done to them; `pyusb_backend` and `libusb1` are two ways to them,
-  `usbip` is the third, for other programs and real USB stacks
+- `descriptors`: USB descriptors of the chip
+- `port`: a port of the chip, with two FIFOs and the rules for packets
+- `chip`: the ports, the EEPROM, and the requests of the driver
+- `board`: a gateway at the pins of a port; `rtl_board`: compiled gateware at the pins, cycle by cycle
+- `timing`: all figures of the model, each with its source
+- `host`: the host controller, which transfers packets in simulated time
+- `bus`: a chip with a clock, and its faults, such as unplugging
+- `pyusb_backend`, `libusb1`, `usbip`: access to the chip by pyusb, by python-libusb1, and by USB/IP for other programs
+- `stand_in`: the simulated chip of ``ftdi://virtual``
 
-The model moves on only when it is told the time, so a test can have a minute in a second, and stop it between any two
-packets.
+The model advances only to times that its callers pass. A test can therefore simulate a minute in a second, and examine
+the model between any two packets.
 """
 
 from unity_link.virtual.ft232h.bus import VirtualBus, VirtualFt232h

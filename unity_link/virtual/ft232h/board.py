@@ -1,11 +1,11 @@
-"""The board at the pins of a port: a gateway with its FIFOs, moved along in modelled time.
+"""A board at the pins of a port: a gateway with its FIFOs, in simulated time.
 
-Bytes pass the pins in small steps (`STEP`), each done when its last byte would be: a request that comes alone is timed
-to the byte, and a stream costs the computer one event for a step. What the gateware does with a byte takes no time
-here; where that counts, `rtl_board` has the gateware itself in this file's place.
+Bytes pass the pins in steps of up to `STEP` bytes; a step ends at the time of its last byte. A single request is
+therefore timed exactly, and a stream needs only one event for each step. The gateware's processing takes no time in
+this model; if it matters, `rtl_board` has the compiled gateware.
 
-With a FIFO at its pins nothing is ever lost: the receive FIFO stops RD# when it is full, the chip's TXE# stops WR#, and
-a full transmit FIFO stops the gateway. With a UART there is neither: what comes too fast is lost, on either side.
+With a FIFO at the pins no bytes are lost: a full receive FIFO stops RD#, the chip's TXE# stops WR#, and a full transmit
+FIFO stops the gateway. A UART has no flow control: if a FIFO is full, bytes are lost on either side.
 """
 
 from __future__ import annotations
@@ -23,25 +23,25 @@ if TYPE_CHECKING:
     from unity_link.virtual.gateway import Gateway
 
 STEP = 64
-"""Bytes that pass the pins in one event: 8 us at 8 MB/s."""
+"""Largest number of bytes that pass the pins in one event: 8 us at 8 MB/s."""
 _BITS_PER_BYTE = 10
-"""On a UART, with start and stop bit."""
+"""Bits on a UART's line for each byte, including start and stop bit."""
 _OFF, _ALWAYS = 0, 1
 
 
 class AttachedBoard(Protocol):
-    """Interface of boards that can be connected to the pins."""
+    """Interface of boards at the pins of a port."""
 
     @property
     def next_due(self) -> float | None:
-        """Instant of its next action, if nothing changes at the port."""
+        """Time of the board's next action, if the port does not change."""
 
     def advance(self, port: ChipPort, now: float) -> None:
-        """Do what is due at `now`, or has become possible by what changed at the port."""
+        """Do all actions that are due at `now`, or that a change of the port has made possible."""
 
 
 class Unconnected:
-    """Nothing: what the host writes stays in the port."""
+    """Unconnected pins: the host's bytes stay in the port."""
 
     next_due: float | None = None
 
@@ -51,54 +51,56 @@ class Unconnected:
 
 @runtime_checkable
 class SendsImmediately(Protocol):
-    """A gateway that says when SIWU# is to be pulsed."""
+    """A gateway that requests pulses of SIWU#."""
 
     @property
     def send_immediate(self) -> int:
         """Mode of responses: 0 off, 1 always, 2 adaptive."""
 
     flush_wanted: bool
-    """Set when a sample was sent that is to be flushed; cleared at the flush."""
+    """True after a sample that requests a flush was sent; the board clears it at the flush."""
 
 
 class GatewayBoard:
-    """A gateway at the pins.
+    """A gateway at the pins of a port.
 
     Args:
-        gateway: what answers. The sizes of its FIFOs are in its `info`.
-        mode: what its gateware was built for; where the chip's pins are something else, no byte passes.
-        step: most bytes that pass the pins in one event.
-        siwu_wired: whether SIWU# is connected.
+        gateway: the gateway; its `info` has the sizes of its FIFOs.
+        mode: mode of the pins that the gateware was built for; while the chip has another mode, no bytes pass.
+        step: largest number of bytes that pass the pins in one event.
+        siwu_wired: True if SIWU# is connected.
     """
 
     def __init__(self, gateway: Gateway, mode: Mode = Mode.FIFO, *, step: int = STEP, siwu_wired: bool = True) -> None:
         self.gateway = gateway
         self._siwu_wired = siwu_wired
-        # Asked once: what a protocol has is slow to look up.
+        # Checked once, because isinstance with a Protocol is slow.
         self._sends_immediately = gateway if isinstance(gateway, SendsImmediately) else None
         self.mode = mode
         self._step = step
         self._received = bytearray()
         """The receive FIFO."""
         self._sent = bytearray()
-        """The transmit FIFO, and behind it what the gateway still has to put into it."""
+        """The transmit FIFO, followed by bytes that the gateway has not put into it yet."""
         self._pulses: deque[tuple[int, bool]] = deque()
-        """Behind how many of the bytes written since the start SIWU# is wanted, and whether only when all is idle."""
+        """Requested pulses of SIWU#: number of bytes written before each, and True if it waits until all is idle."""
         self._written = 0
+        """Number of bytes written to the port since the start."""
         self._pulse_when_idle = False
         self._reading: tuple[float, int] | None = None
-        """Instant at which a step at RD# is done, and its number of bytes."""
+        """End and number of bytes of the current step at RD#."""
         self._writing: tuple[float, bytes] | None = None
+        """End and bytes of the current step at WR#."""
         self._wrote_last = False
         self._skipping = False
-        """Samples have no room."""
+        """True while there is no room for samples."""
         gateway.wake = lambda: None
 
     # Time
 
     @property
     def next_due(self) -> float | None:
-        """Instant of the next event, if nothing changes at the port."""
+        """Time of the next event, if the port does not change."""
         due: float | None = None
         if self._reading is not None:
             due = self._reading[0]
@@ -111,7 +113,7 @@ class GatewayBoard:
         return due
 
     def advance(self, port: ChipPort, now: float) -> None:
-        """End the steps that are done, let the gateway work, begin the next steps."""
+        """End the finished steps, advance the gateway, and begin the next steps."""
         if port.mode is not self.mode:
             self._reading = self._writing = None
             self.gateway.advance(now, room=0)
@@ -121,7 +123,7 @@ class GatewayBoard:
             self._end_read(port)
         if self._writing is not None and self._writing[0] <= now:
             self._end_write(port)
-        # Requests that waited go first: the gateway lets samples take turns with its responses.
+        # Pending requests come first: the gateway alternates samples with its responses.
         self._publish(now, most=0 if requests_wait else self.gateway.info.transmit_fifo_bytes)
         if self._received:
             self._answer(now)
@@ -133,11 +135,11 @@ class GatewayBoard:
 
     @property
     def _room(self) -> int:
-        """Bytes that the receive FIFO takes."""
+        """Number of free bytes in the receive FIFO."""
         return self.gateway.info.receive_fifo_bytes - len(self._received)
 
     def _publish(self, now: float, most: int) -> None:
-        """Take samples that are due; those beyond `most` bytes, or without room, wait in the gateway."""
+        """Put due samples into the transmit FIFO; samples beyond `most` bytes, or without room, wait in the gateway."""
         gateway, size = self.gateway, self.gateway.info.transmit_fifo_bytes
         if len(self._sent) >= size:
             self._skipping = True
@@ -156,7 +158,7 @@ class GatewayBoard:
                 self._pulses.append((self._written + len(self._sent), True))
 
     def _answer(self, now: float) -> None:
-        """Hand on requests, until a response fills the transmit FIFO."""
+        """Pass requests to the gateway until a response fills the transmit FIFO."""
         gateway, received = self.gateway, self._received
         size = gateway.info.transmit_fifo_bytes
         mode = _OFF if self._sends_immediately is None else self._sends_immediately.send_immediate
@@ -172,7 +174,7 @@ class GatewayBoard:
     # The pins
 
     def _begin(self, port: ChipPort, now: float) -> None:
-        """Begin what can be; on the bus of the synchronous FIFO, in turns."""
+        """Begin a step in each direction, if possible; the bus of the synchronous FIFO alternates the directions."""
         if self.mode is Mode.UART:
             rate = port.baud / _BITS_PER_BYTE
         elif self.mode is Mode.FIFO:
@@ -191,7 +193,7 @@ class GatewayBoard:
             self._begin_write(port, now, rate)
 
     def _begin_read(self, port: ChipPort, now: float, rate: float) -> bool:
-        # A UART has nothing that would stop the port.
+        # A UART cannot stop the port.
         room = self._step if self.mode is Mode.UART else self._room
         count = min(self._step, port.readable, room)
         if count <= 0:
@@ -230,7 +232,7 @@ class GatewayBoard:
         self._written += len(data)
 
     def _pulse(self, port: ChipPort) -> None:
-        """Pulse SIWU# where it is wanted behind the last byte written, or everything has become idle since."""
+        """Pulse SIWU# if a pulse is due after the last written byte, or all has become idle since."""
         while self._pulses and self._pulses[0][0] == self._written:
             if self._pulses.popleft()[1]:
                 self._pulse_when_idle = True

@@ -1,7 +1,7 @@
-"""Virtual chips on a bus, for programs: a clock, a lock, and what can be done to a chip from outside.
+"""Simulated chips on a USB bus, with a clock and a lock for programs, and faults such as unplugging.
 
-Any thread may use a chip; one at a time moves the model along. A thread that waits for a transfer sleeps until the next
-instant at which something can end, and is woken when another one has submitted something.
+Any thread may use a chip; one thread at a time advances the model. A thread that waits for a transfer sleeps until the
+next time at which a transfer can end, and wakes when another thread submits a transfer.
 """
 
 from __future__ import annotations
@@ -33,20 +33,20 @@ DEFAULT_SERIAL = "UL000001"
 
 
 class Clock(Protocol):
-    """Modelled time, in seconds."""
+    """The time of a model, in seconds."""
 
     def now(self) -> float:
         """Return the time."""
 
     def wait(self, changed: threading.Condition, until: float) -> None:
-        """Wait until a time, or until `changed` is notified; `changed` is held."""
+        """Wait until a time, or until `changed` is notified; the caller holds `changed`."""
 
     def standing_still(self) -> AbstractContextManager[None]:
-        """Keep the time while the model itself computes, which is no modelled time."""
+        """Stop the clock in a block, in which the model computes."""
 
 
 class RealClock:
-    """Modelled time passes as real time does, but for what the model itself computes."""
+    """Real time, without the time that the model computes."""
 
     def __init__(self) -> None:
         self._offset = time.monotonic()
@@ -56,14 +56,14 @@ class RealClock:
         return time.monotonic() - self._offset
 
     def wait(self, changed: threading.Condition, until: float) -> None:
-        """Sleep."""
+        """Sleep until the time, or until `changed` is notified."""
         pause = until - self.now()
         if pause > 0:
             changed.wait(pause)
 
     @contextmanager
     def standing_still(self) -> Iterator[None]:
-        """Go back at the end."""
+        """Subtract the duration of the block."""
         began = time.monotonic()
         try:
             yield
@@ -72,7 +72,7 @@ class RealClock:
 
 
 class SimulatedClock:
-    """Time passes only where somebody waits: for programs of one thread, of which then every run is the same."""
+    """Simulated time, which passes only in `wait`: all runs of a program with one thread are then the same."""
 
     def __init__(self) -> None:
         self._now = 0.0
@@ -81,20 +81,20 @@ class SimulatedClock:
         """Return the time."""
         return self._now
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing else can notify it)
-        """Jump."""
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (there is no other thread)
+        """Set the clock to the time."""
         self._now = max(self._now, until)
 
     def standing_still(self) -> AbstractContextManager[None]:
-        """Do nothing."""
+        """Do nothing: the clock does not run."""
         return nullcontext()
 
 
 class LoopClock:
-    """The time of a loop on modelled time. Control requests take none of it, and no thread may wait.
+    """The time of an event loop with simulated time. Control requests take no time, and threads must not wait.
 
     Args:
-        loop: such a loop; the running one by default.
+        loop: the event loop; None for the running one.
     """
 
     def __init__(self, loop: ModelledTimeLoop | None = None) -> None:
@@ -106,25 +106,25 @@ class LoopClock:
         """Return the time."""
         return self.loop.time()
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing waits)
-        """Refuse: it would keep the loop, and with it the time, from going on."""
-        raise RuntimeError("a chip on the time of a loop can't be waited for")
+    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (it always raises)
+        """Raise RuntimeError: waiting would block the loop, and with it the time."""
+        raise RuntimeError("a chip with the clock of an event loop cannot block")
 
     def standing_still(self) -> AbstractContextManager[None]:
-        """Keep the loop's time."""
+        """Stop the loop's clock in a block."""
         return self.loop.standing_still()
 
 
 class VirtualFt232h:
-    """One chip on the bus, with its clock.
+    """One chip, with its clock.
 
     Args:
-        board: what is at the pins of port A, the only one of an FT232H.
-        board_b: what is at the pins of port B, where there is one; by default nothing.
-        kind: which chip it is.
-        image: content of the EEPROM; by default that of a FIFO at every port.
-        timing: the numbers of the model.
-        clock: what time it is; real time by default.
+        board: board at the pins of port A, the only port of an FT232H.
+        board_b: board at the pins of port B of an FT2232H; None for no board.
+        kind: kind of chip.
+        image: contents of the EEPROM; None for FIFOs at all ports.
+        timing: figures of the model; None for the defaults.
+        clock: clock of the chip; None for real time.
     """
 
     def __init__(
@@ -144,26 +144,26 @@ class VirtualFt232h:
         boards = (board, board_b or Unconnected())
         self.host = UsbHost(self.chip, *boards[: kind.ports])
         self.address = 0
-        """Number on its bus, given when it is plugged in."""
+        """Address of the device on its bus; 0 before it is attached."""
         self.denied = False
-        """True if the operating system refuses to open it."""
+        """True if the operating system refuses to open the device."""
         self.claims: dict[int, object] = {}
-        """Owner of each interface (0 is that of port A); another program, where it is a stranger."""
+        """Object that has claimed each interface; interface 0 is that of port A."""
         self.times_plugged = 1
-        """Handles from before it was unplugged are void."""
+        """Number of times that the device was plugged in; earlier handles are invalid."""
         self.changed = threading.Condition()
 
     def claim(self, interface: int, holder: object) -> bool:
-        """Let `holder` have an interface; gives whether it has it now."""
+        """Claim an interface for `holder`; return True if `holder` has it now."""
         return self.claims.setdefault(interface, holder) is holder
 
     def release(self, interface: int, holder: object) -> None:
-        """Take an interface back, if `holder` has it."""
+        """Release an interface, if `holder` has claimed it."""
         if self.claims.get(interface) is holder:
             del self.claims[interface]
 
     def now(self) -> float:
-        """Let the model catch up with the clock, which stands still meanwhile; gives the time. Hold `changed`."""
+        """Advance the model to the clock's time, which is stopped meanwhile, and return the time; hold `changed`."""
         with self.clock.standing_still():
             now = self.clock.now()
             self.host.advance(now)
@@ -172,10 +172,10 @@ class VirtualFt232h:
     # For programs that wait
 
     def run(self, transfer: Transfer, timeout: float | None) -> None:
-        """Submit a transfer and wait for its end; after `timeout` seconds it is cancelled.
+        """Submit a transfer and wait for its end; cancel it after `timeout` seconds.
 
         Raises:
-            ConnectionError: where the device is gone.
+            ConnectionError: if the device is unplugged.
         """
         with self.changed:
             self.host.submit(transfer, self.now())
@@ -192,21 +192,21 @@ class VirtualFt232h:
 
     @property
     def next_end(self) -> float | None:
-        """Earliest instant at which the next transfer can end."""
+        """Earliest time at which a transfer can end; None if no event is planned."""
         due = self.host.next_due
         return None if due is None else max(due, self.chip.timing.boundary_after(due))
 
     def _wait(self, until: float | None, deadline: float | None) -> None:
         times = [instant for instant in (until, deadline) if instant is not None]
-        # Where nothing will ever happen, somebody else has to do something.
+        # If no event is planned, only another thread can end the wait.
         self.clock.wait(self.changed, min(times, default=self.clock.now() + 1.0))
 
     def control_out(self, kind: int, request: int, value: int, index: int) -> None:
-        """Do a control request, and wait for its end.
+        """Execute a control request without an answer, and wait for its end.
 
         Raises:
-            StallError: where the chip refuses it.
-            ConnectionError: where the device is gone.
+            StallError: if the chip refuses the request.
+            ConnectionError: if the device is unplugged.
         """
         with self.changed:
             end = self.host.control_out(kind, request, value, index, self.now())
@@ -214,11 +214,11 @@ class VirtualFt232h:
             self._pass(end)
 
     def control_in(self, kind: int, request: int, value: int, index: int) -> bytes:
-        """Do a control request, and wait for its answer.
+        """Execute a control request, and return its answer.
 
         Raises:
-            StallError: where the chip refuses it.
-            ConnectionError: where the device is gone.
+            StallError: if the chip refuses the request.
+            ConnectionError: if the device is unplugged.
         """
         with self.changed:
             answer, end = self.host.control_in(kind, request, value, index, self.now())
@@ -231,23 +231,23 @@ class VirtualFt232h:
         while self.clock.now() < until:
             self.clock.wait(self.changed, until)
 
-    # What can happen to it
+    # Faults
 
     def unplug(self) -> None:
-        """Take it away."""
+        """Unplug the chip."""
         with self.changed:
             self.host.unplug(self.now())
             self.claims.clear()
             self.changed.notify_all()
 
     def plug_in(self) -> None:
-        """Put it back: only then does the chip look at its EEPROM."""
+        """Plug the chip in again; it reads its EEPROM only then."""
         with self.changed:
             self.times_plugged += 1
             self.host.plug_in(self.clock.now())
 
     def halt(self, endpoint: int) -> None:
-        """Halt an endpoint, which answers STALL until the host clears that."""
+        """Halt an endpoint, which answers STALL until the host clears the halt."""
         with self.changed:
             self.host.halt(endpoint, self.now())
             self.changed.notify_all()
@@ -260,7 +260,7 @@ class VirtualFt232h:
 
 
 class VirtualBus:
-    """Chips that a program can find."""
+    """A USB bus with simulated chips."""
 
     def __init__(self, *devices: VirtualFt232h) -> None:
         self._devices: list[VirtualFt232h] = []
@@ -268,11 +268,11 @@ class VirtualBus:
             self.attach(device)
 
     def attach(self, device: VirtualFt232h) -> None:
-        """Connect a chip to the bus, where it has a number of its own."""
+        """Attach a chip to the bus, and give it an address."""
         device.address = 1 + max((other.address for other in self._devices), default=0)
         self._devices.append(device)
 
     @property
     def devices(self) -> list[VirtualFt232h]:
-        """Those that are plugged in."""
+        """The chips that are plugged in."""
         return [device for device in self._devices if device.host.plugged]

@@ -1,8 +1,8 @@
 """The chip: its ports, its EEPROM, and the requests of its driver.
 
 Sources: FT232H and FT2232H datasheets (DS_FT232H, DS_FT2232H), AN232B-04 (latency and flow), AN232B-05 (baud rates),
-pyftdi's constants for the requests. The low byte of a request's index says the port that it is for, but for those
-about the EEPROM, in which it is an address.
+pyftdi's constants for the requests. The low byte of a request's index is the number of a port. In
+requests about the EEPROM it is an address.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 _VENDOR_OUT, _VENDOR_IN = 0x40, 0xC0
 _STANDARD_IN, _STANDARD_OUT = (0x80, 0x81, 0x82), (0x00, 0x01, 0x02)
 _FRACTIONS = (0, 4, 2, 1, 3, 5, 6, 7)
-"""Eighths of the baud rate's divisor, by their code."""
+"""Eighths of the baud rate's divisor for each code."""
 _FAST_CLOCK, _SLOW_CLOCK = 12e6, 3e6
 _ENDPOINT_HALT = 0
 _CONFIGURATIONS = (0, 1)
-"""Not configured, and the one that the descriptors tell of."""
+"""Numbers of the configurations: 0 for not configured, and 1 for the one in the descriptors."""
 
 
 class StallError(Exception):
@@ -57,9 +57,9 @@ class Chip:
     """One FT232H or FT2232H.
 
     Args:
-        image: content of its EEPROM, 256 bytes.
-        timing: the numbers of the model.
-        kind: which chip it is.
+        image: contents of the EEPROM, 256 bytes.
+        timing: figures of the model.
+        kind: kind of chip.
     """
 
     def __init__(self, image: bytes, timing: Timing, kind: ChipKind = FT232H) -> None:
@@ -74,7 +74,7 @@ class Chip:
         self.power_up(0.0)
 
     def power_up(self, now: float) -> None:
-        """Begin anew, as after being plugged in: only now is the EEPROM looked at."""
+        """Set the state after plugging in; the EEPROM is read only now."""
         for port in self.ports:
             port.power_up(eeprom_image.channel_type(self.eeprom, self.kind, port.number), now)
         self.strings = eeprom_image.strings(self.eeprom, self.kind)
@@ -82,17 +82,17 @@ class Chip:
         self.halted.clear()
 
     def _port(self, index: int) -> ChipPort:
-        """Return the port that a request is for; one without a number is for port A."""
+        """Return the port of a request's index; port A if the index has no number."""
         number = index & 0xFF or PORT_A
         if number > len(self.ports):
             raise StallError
         return self.ports[number - 1]
 
     def control_out(self, kind: int, request: int, value: int, index: int, now: float) -> None:
-        """Do a request that asks for nothing.
+        """Execute a control request without an answer.
 
         Raises:
-            StallError: for one that the chip does not know.
+            StallError: if the chip does not support the request.
         """
         if kind == _VENDOR_OUT:
             self._vendor_out(request, value, index, now)
@@ -133,10 +133,10 @@ class Chip:
                 raise StallError
 
     def control_in(self, kind: int, request: int, value: int, index: int) -> bytes:
-        """Answer a request; the host cuts the answer where it wants less.
+        """Return the whole answer to a control request; the host truncates it to the requested length.
 
         Raises:
-            StallError: for one that the chip does not know.
+            StallError: if the chip does not support the request.
         """
         if kind == _VENDOR_IN:
             return self._vendor_in(request, index)
@@ -159,7 +159,7 @@ class Chip:
                 raise StallError
 
     def _standard_in(self, kind: int, request: int, value: int, index: int) -> bytes:
-        """Answer what every device does (USB 2.0, section 9.4)."""
+        """Return the answer to a standard request (USB 2.0, section 9.4)."""
         match request:
             case 0x00:
                 return b"\x01\x00" if kind == 0x82 and index & 0xFF in self.halted else b"\x00\x00"
@@ -187,7 +187,7 @@ class Chip:
 
     @property
     def device_descriptor(self) -> descriptors.DeviceDescriptor:
-        """Device descriptor of the chip; without a serial number it names none."""
+        """Device descriptor of the chip, with the index of the serial number if there is one."""
         return descriptors.DeviceDescriptor(
             idProduct=self.kind.product_id, bcdDevice=self.kind.release, iSerialNumber=3 if self.strings[2] else 0
         )
@@ -203,7 +203,7 @@ def _reset_or_purge(port: ChipPort, value: int, now: float) -> None:
 
 
 def _baud(value: int, index: int) -> float:
-    """Return the rate that a divisor stands for, bits a second (AN232B-05, with the clock of the H series)."""
+    """Return the baud rate of a divisor (AN232B-05, with the clock of the H series)."""
     divisor = value | index >> 8 << 16
     clock = _FAST_CLOCK if divisor & 0x20000 else _SLOW_CLOCK
     divisor &= 0x1FFFF

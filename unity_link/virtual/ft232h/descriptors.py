@@ -1,7 +1,6 @@
 """The USB descriptors of the chip (USB 2.0, section 9.6): one configuration.
 
-Each port is an interface with two bulk endpoints. The field names are those of the standard, which pyusb asks for as
-attributes.
+Each port is an interface with two bulk endpoints. The attributes have the names of the standard, as pyusb expects.
 """
 # ruff: noqa: N815
 
@@ -25,18 +24,18 @@ ENGLISH = 0x0409
 
 
 class Descriptor(msgspec.Struct, frozen=True, kw_only=True):
-    """A descriptor, its fields in the order of the wire."""
+    """A descriptor with its fields in the order of transmission."""
 
     LAYOUT: ClassVar[str]
     extra_descriptors: ClassVar[list[int]] = []
 
     def encode(self) -> bytes:
-        """Return the bytes of the wire."""
+        """Return the bytes of the descriptor."""
         return struct.pack(self.LAYOUT, *(getattr(self, name) for name in self.__struct_fields__))
 
 
 class DeviceDescriptor(Descriptor, frozen=True, kw_only=True):
-    """The device."""
+    """Descriptor of the device."""
 
     LAYOUT: ClassVar[str] = "<BBHBBBBHHHBBBB"
     bLength: int = 18
@@ -56,7 +55,7 @@ class DeviceDescriptor(Descriptor, frozen=True, kw_only=True):
 
 
 class ConfigurationDescriptor(Descriptor, frozen=True, kw_only=True):
-    """Its one configuration."""
+    """Descriptor of the device's only configuration."""
 
     LAYOUT: ClassVar[str] = "<BBHBBBBB"
     bLength: int = 9
@@ -70,7 +69,7 @@ class ConfigurationDescriptor(Descriptor, frozen=True, kw_only=True):
 
 
 class InterfaceDescriptor(Descriptor, frozen=True, kw_only=True):
-    """A port."""
+    """Descriptor of the interface of a port."""
 
     LAYOUT: ClassVar[str] = "<BBBBBBBBB"
     bLength: int = 9
@@ -85,7 +84,7 @@ class InterfaceDescriptor(Descriptor, frozen=True, kw_only=True):
 
 
 class EndpointDescriptor(Descriptor, frozen=True, kw_only=True):
-    """A bulk endpoint."""
+    """Descriptor of a bulk endpoint."""
 
     LAYOUT: ClassVar[str] = "<BBBBHB"
     bRefresh: ClassVar[int] = 0
@@ -112,12 +111,12 @@ def endpoints(port: int) -> tuple[EndpointDescriptor, EndpointDescriptor]:
 
 
 def configuration(kind: ChipKind) -> ConfigurationDescriptor:
-    """Return the configuration alone."""
+    """Return the configuration descriptor."""
     return ConfigurationDescriptor(wTotalLength=9 + len(_encode_interfaces(kind)), bNumInterfaces=kind.ports)
 
 
 def encode_configuration(kind: ChipKind) -> bytes:
-    """Return the configuration with all that belongs to it."""
+    """Return the configuration descriptor, followed by those of interfaces and endpoints."""
     return configuration(kind).encode() + _encode_interfaces(kind)
 
 
@@ -130,7 +129,7 @@ def _encode_interfaces(kind: ChipKind) -> bytes:
 
 
 def encode_qualifier() -> bytes:
-    """Return what the device would be at full speed."""
+    """Return the device qualifier descriptor: the device's properties at full speed."""
     return struct.pack("<BBHBBBBBB", 10, QUALIFIER, 0x0200, 0, 0, 0, 64, 1, 0)
 
 
@@ -141,5 +140,5 @@ def encode_string(text: str) -> bytes:
 
 
 def encode_languages() -> bytes:
-    """Return string descriptor 0: the languages that there are strings in."""
+    """Return string descriptor 0, the languages of the strings."""
     return struct.pack("<BBH", 4, STRING, ENGLISH)

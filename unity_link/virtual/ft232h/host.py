@@ -1,9 +1,9 @@
-"""The host controller and its bus: moves packets between the program's transfers and the chip, in modelled time.
+"""The USB host controller and its bus, which transfer packets between a program and the chip in simulated time.
 
-A transfer that is submitted is looked at from the next microframe on. The bus carries one packet at a time; transfers
-of one endpoint are served in their order, the endpoints in turns. A bulk IN transfer ends when it is full or a
-packet is short; its end is told at the end of the microframe. So everything that the program can notice happens at the
-beginnings of microframes: a thread that runs this in real time need not wake up in between.
+A submitted transfer starts at the next microframe. The bus carries one packet at a time. Transfers of one endpoint are
+served in order, and the endpoints in turn. A bulk IN transfer ends when it is full, or after a short packet; its end is
+reported at the end of the microframe. All events that a program can notice are therefore at the beginnings of
+microframes, and a thread that advances the model in real time need not wake up in between.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class TransferStatus(enum.Enum):
     DONE = "done"
     STALLED = "stalled"
     OVERFLOW = "overflow"
-    """The chip sent more than there was room for."""
+    """The chip sent more bytes than the transfer had room for."""
     CANCELLED = "cancelled"
     GONE = "gone"
     """The device was unplugged."""
@@ -41,9 +41,9 @@ class Transfer:
 
     Args:
         endpoint: 0x81 or 0x02 of port A, 0x83 or 0x04 of port B.
-        size: bytes wanted from an IN endpoint.
+        size: number of bytes to read from an IN endpoint.
         data: bytes for an OUT endpoint.
-        on_end: called once, when the program is told of the end.
+        on_end: is called once, when the end of the transfer is reported.
     """
 
     __slots__ = ("data", "endpoint", "ends_at", "on_end", "sent", "size", "starts_at", "status")
@@ -54,16 +54,16 @@ class Transfer:
         self.endpoint = endpoint
         self.size = size
         self.data = bytearray() if endpoint & _DIRECTION_IN else bytearray(data)
-        """Bytes that came, or are to be sent."""
+        """Received bytes, or bytes to send."""
         self.sent = 0
         self.on_end = on_end
         self.status: TransferStatus | None = None
-        """None while it is under way."""
+        """Result; None while the transfer is pending."""
         self.starts_at = self.ends_at = 0.0
 
     @property
     def moved(self) -> int:
-        """Bytes that came or were sent."""
+        """Number of bytes received or sent."""
         return len(self.data) if self.endpoint & _DIRECTION_IN else self.sent
 
 
@@ -75,19 +75,19 @@ class _InQueue:
         self.waiting: deque[Transfer] = deque()
 
     def next_due(self, now: float) -> float | None:
-        """Return the instant at which a packet can go."""
+        """Return the time at which the next packet can be sent; None if no transfer is pending."""
         if not self.waiting:
             return None
         return self.port.ready_at(max(now, self.waiting[0].starts_at))
 
     def begin(self, now: float) -> bytes | None:
-        """Return the packet that goes now, if there is one."""
+        """Return the packet to send now; None if there is none."""
         if not self.waiting or self.waiting[0].starts_at > now or self.port.ready_at(now) > now:
             return None
         return self.port.give(now)
 
     def deliver(self, transfer: Transfer, packet: bytes) -> TransferStatus | None:
-        """End a packet; gives how the transfer ends by it, if it does."""
+        """Deliver a packet; return the status of the transfer if the packet ends it, otherwise None."""
         if transfer.status is not None:
             return None
         left = transfer.size - len(transfer.data)
@@ -108,49 +108,52 @@ class _OutQueue:
         head = self.waiting[0]
         return self.port.can_take >= min(PACKET_SIZE, len(head.data) - head.sent)
 
-    def next_due(self, now: float) -> float | None:  # noqa: ARG002  (as the other queue has it)
-        """Return the instant at which a packet can go; without room it waits for the board, which is due by itself."""
+    def next_due(self, now: float) -> float | None:  # noqa: ARG002  (the signature of both queues)
+        """Return the time at which the next packet can be sent; None without a transfer, or without room.
+
+        Room is made by the board, which has a due time of its own.
+        """
         return self.waiting[0].starts_at if self.waiting and self._has_room() else None
 
     def begin(self, now: float) -> bytes | None:
-        """Return the packet that goes now, if there is one."""
+        """Return the packet to send now; None if there is none."""
         if not self.waiting or self.waiting[0].starts_at > now or not self._has_room():
             return None
         transfer = self.waiting[0]
         return bytes(transfer.data[transfer.sent : transfer.sent + PACKET_SIZE])
 
     def deliver(self, transfer: Transfer, packet: bytes) -> TransferStatus | None:
-        """End a packet; gives how the transfer ends by it, if it does."""
+        """Deliver a packet; return the status of the transfer if the packet ends it, otherwise None."""
         self.port.take(packet)
         transfer.sent += len(packet)
         return TransferStatus.DONE if transfer.status is None and transfer.sent >= len(transfer.data) else None
 
 
 class UsbHost:
-    """A host controller with one chip on its bus, and what is at the pins of each of the chip's ports."""
+    """A host controller with one chip on its bus, and a board at the pins of each of the chip's ports."""
 
     def __init__(self, chip: Chip, *boards: AttachedBoard) -> None:
         self.chip = chip
         self._boards = list(zip(chip.ports, boards, strict=True))
         self.plugged = True
         self._queues: dict[int, _InQueue | _OutQueue] = {}
-        """Queues by endpoint. The one that had its turn last is the last one."""
+        """Queues by endpoint; the queue that was served last is last."""
         for port in reversed(chip.ports):
             self._queues[port.out_endpoint] = _OutQueue(port)
             self._queues[port.in_endpoint] = _InQueue(port)
         self._ended: deque[Transfer] = deque()
-        """Ended, and not told yet; in the order of the ends."""
+        """Ended transfers whose ends are not reported yet, in order."""
         self._on_bus: tuple[float, Transfer, bytes] | None = None
-        """A packet: when it has passed, and what it belongs to."""
+        """The packet on the bus: time of its end, its transfer, and its bytes."""
         self._now = 0.0
 
     # The program's side
 
     def submit(self, transfer: Transfer, now: float) -> None:
-        """Take a transfer.
+        """Submit a transfer.
 
         Raises:
-            ConnectionError: where the device is gone.
+            ConnectionError: if the device is unplugged.
         """
         self.advance(now)
         if not self.plugged:
@@ -162,7 +165,7 @@ class UsbHost:
         self._queues[transfer.endpoint].waiting.append(transfer)
 
     def cancel(self, transfer: Transfer, now: float) -> None:
-        """End a transfer that is still under way; what it has moved it keeps."""
+        """Cancel a pending transfer; it keeps the bytes that it has transferred."""
         self.advance(now)
         waiting = self._queues[transfer.endpoint].waiting
         if transfer in waiting:
@@ -171,11 +174,11 @@ class UsbHost:
             self._tell(now)
 
     def control_out(self, kind: int, request: int, value: int, index: int, now: float) -> float:
-        """Do a control request; gives when the program is told.
+        """Execute a control request without an answer; return the time at which its end is reported.
 
         Raises:
-            StallError: where the chip refuses it.
-            ConnectionError: where the device is gone.
+            StallError: if the chip refuses the request.
+            ConnectionError: if the device is unplugged.
         """
         self._look(now)
         self.chip.control_out(kind, request, value, index, now)
@@ -183,11 +186,11 @@ class UsbHost:
         return self._control_end(now)
 
     def control_in(self, kind: int, request: int, value: int, index: int, now: float) -> tuple[bytes, float]:
-        """Do a control request; gives the answer, and when the program is told.
+        """Execute a control request; return its answer, and the time at which its end is reported.
 
         Raises:
-            StallError: where the chip refuses it.
-            ConnectionError: where the device is gone.
+            StallError: if the chip refuses the request.
+            ConnectionError: if the device is unplugged.
         """
         self._look(now)
         return self.chip.control_in(kind, request, value, index), self._control_end(now)
@@ -201,10 +204,10 @@ class UsbHost:
         timing = self.chip.timing
         return timing.boundary_after(now) + timing.microframe
 
-    # The world's side
+    # Faults
 
     def unplug(self, now: float) -> None:
-        """Take the device away: everything under way ends."""
+        """Unplug the device; all pending transfers end."""
         self.advance(now)
         self.plugged = False
         self._on_bus = None
@@ -212,18 +215,18 @@ class UsbHost:
             while queue.waiting:
                 self._end(queue.waiting.popleft(), TransferStatus.GONE, now)
         for transfer in self._ended:
-            # Also those that had ended before, and were to be told with the microframe's end.
+            # Report at once also the earlier ends, which were to be reported at the end of the microframe.
             transfer.ends_at = now
         self._tell(now)
 
     def plug_in(self, now: float) -> None:
-        """Put the device back: the chip looks at its EEPROM."""
+        """Plug the device in again; the chip reads its EEPROM."""
         self.plugged = True
         self._now = now
         self.chip.power_up(now)
 
     def halt(self, endpoint: int, now: float) -> None:
-        """Halt an endpoint, which answers STALL until the host clears that."""
+        """Halt an endpoint, which answers STALL until the host clears the halt."""
         self.advance(now)
         self.chip.halted.add(endpoint)
         waiting = self._queues[endpoint].waiting
@@ -234,7 +237,7 @@ class UsbHost:
 
     @property
     def next_due(self) -> float | None:
-        """Instant of the next event; None where none comes without a new transfer."""
+        """Time of the next event; None if there is none without a new transfer."""
         if not self.plugged:
             return None
         due: float | None = None
@@ -249,7 +252,7 @@ class UsbHost:
         return due
 
     def advance(self, now: float) -> None:
-        """Let time pass. Time that is already past does nothing."""
+        """Advance the model to the time `now`; do nothing if it is in the past."""
         while (due := self.next_due) is not None and due <= now:
             self._step(max(due, self._now))
         self._now = max(self._now, now)
@@ -268,7 +271,7 @@ class UsbHost:
             board.advance(port, now)
 
     def _start_packet(self, now: float) -> None:
-        """Put the next packet on the bus, if there is one."""
+        """Put the next packet on the bus, if an endpoint has one."""
         for endpoint, queue in self._queues.items():
             packet = queue.begin(now)
             if packet is not None:
@@ -277,7 +280,7 @@ class UsbHost:
                 return
 
     def _deliver(self) -> None:
-        """End the packet on the bus."""
+        """Deliver the packet on the bus."""
         assert self._on_bus is not None
         now, transfer, packet = self._on_bus
         self._on_bus = None

@@ -1,11 +1,12 @@
-"""The part of python-libusb1 that the overlapped driver uses, for a virtual chip.
+"""The part of python-libusb1 that the overlapped driver uses, for a simulated chip.
 
-`Context`, `Handle` and `TransferRequest` are the few classes of the `usb1` module that the driver needs, with its
-names. As with usbfs, the one poll descriptor becomes *writable* when something has ended, and the callbacks run inside
-`handleEventsTimeout`. A thread moves the chip along in real time; a loop on modelled time does it while it waits.
+`Context`, `Handle` and `TransferRequest` replace the classes of the `usb1` module that the driver needs, and have the
+same methods. As in usbfs, the poll descriptor becomes *writable* when a transfer has ended, and callbacks run inside
+`handleEventsTimeout`. A thread advances the chip in real time; an event loop with simulated time does so while it
+waits.
 
-What this can't show is what libusb and the kernel do: that is for a real USB stack, such as the one that attaches the
-chip by USB/IP (`usbip`).
+The behaviour of libusb and the kernel is not simulated; to test it, attach the chip to a real USB stack by USB/IP
+(`usbip`).
 """
 
 from __future__ import annotations
@@ -40,14 +41,14 @@ _STATUSES = {
 
 
 class LoopHost:
-    """Moves one chip along inside the waiting of a loop on modelled time."""
+    """Advances one chip while an event loop with simulated time waits."""
 
     def __init__(self, device: VirtualFt232h, loop: ModelledTimeLoop) -> None:
         self._device = device
         self._loop = loop
 
     def wake(self) -> None:
-        """Look again when something will have ended."""
+        """Set the timer for the next end of a transfer."""
         with self._loop.standing_still():
             due = self._device.next_end
             self._loop.call_world_at(self, due or 0.0, None if due is None else self._advance)
@@ -58,12 +59,12 @@ class LoopHost:
         self.wake()
 
     def close(self) -> None:
-        """Stand still."""
+        """Stop advancing the chip."""
         self._loop.call_world_at(self, 0.0, None)
 
 
 class ThreadHost:
-    """Moves one chip along by a thread of its own, as a kernel does."""
+    """Advances one chip in a thread, as a kernel does."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self._device = device
@@ -72,7 +73,7 @@ class ThreadHost:
         self._thread.start()
 
     def wake(self) -> None:
-        """Look again when something will have ended."""
+        """Wake the thread, which determines the next end of a transfer."""
         with self._device.changed:
             self._device.changed.notify_all()
 
@@ -85,7 +86,7 @@ class ThreadHost:
                 device.clock.wait(device.changed, now + 1.0 if due is None else due)
 
     def close(self) -> None:
-        """Stand still."""
+        """Stop advancing the chip, and end the thread."""
         with self._device.changed:
             self._closed = True
             self._device.changed.notify_all()
@@ -93,7 +94,7 @@ class ThreadHost:
 
 
 class _Signal:
-    """A descriptor that is writable while something has ended: an eventfd, elsewhere than on Linux a socket."""
+    """A file descriptor that is writable while ended transfers are pending: an eventfd on Linux, otherwise a socket."""
 
     _FULL = 0xFFFF_FFFF_FFFF_FFFE
 
@@ -105,13 +106,13 @@ class _Signal:
             self._sockets = socket.socketpair()
             for end in self._sockets:
                 end.setblocking(False)  # noqa: FBT003  (its only argument)
-            # The smallest there is, as it is filled and emptied for each event.
+            # The smallest buffer, because it is filled and emptied for each event.
             self._sockets[0].setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1)
             self.descriptor = self._sockets[0].fileno()
         self.clear()
 
     def set(self) -> None:
-        """Make it writable."""
+        """Make the descriptor writable."""
         with contextlib.suppress(BlockingIOError):
             if sys.platform == "linux":
                 os.eventfd_read(self.descriptor)
@@ -119,7 +120,7 @@ class _Signal:
                 self._sockets[1].recv(65536)
 
     def clear(self) -> None:
-        """Make it unwritable."""
+        """Make the descriptor unwritable."""
         with contextlib.suppress(BlockingIOError):
             if sys.platform == "linux":
                 os.eventfd_write(self.descriptor, self._FULL)
@@ -127,7 +128,7 @@ class _Signal:
                 self._sockets[0].send(bytes(4096))
 
     def close(self) -> None:
-        """Let go of it."""
+        """Close the descriptor."""
         if not self._sockets:
             os.close(self.descriptor)
         for end in self._sockets:
@@ -135,7 +136,7 @@ class _Signal:
 
 
 class Context:
-    """`usb1.USBContext` of a bus with one chip."""
+    """Replacement for `usb1.USBContext`, for a bus with one chip."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self._device = device
@@ -143,7 +144,7 @@ class Context:
         self._signal = _Signal()
 
     def open(self) -> Context:
-        """Begin."""
+        """Return the context itself, as `usb1.USBContext.open` does."""
         return self
 
     def open_chip(self) -> Handle:
@@ -153,11 +154,11 @@ class Context:
         return Handle(self, self._device, host)
 
     def close(self) -> None:
-        """End."""
+        """Close the poll descriptor."""
         self._signal.close()
 
     def ended(self, request: TransferRequest) -> None:
-        """Record an end, and signal it; in whichever thread has moved the chip along."""
+        """Record the end of a transfer, and signal it; called in the thread that has advanced the chip."""
         with self._device.changed:
             self._ended.append(request)
             self._signal.set()
@@ -165,14 +166,14 @@ class Context:
     # usb1's names
 
     def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
-        """Return the descriptors to wait for, and for what."""
+        """Return the file descriptors to poll, with their events."""
         return [(self._signal.descriptor, select.POLLOUT)]
 
     def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
-        """Ignore it: the descriptor never changes."""
+        """Do nothing: the descriptor never changes."""
 
     def handleEventsTimeout(self, tv: float = 0) -> None:  # noqa: ARG002, N802
-        """Call back for what has ended."""
+        """Call the callbacks of ended transfers."""
         with self._device.changed:
             ended, self._ended = self._ended, []
             self._signal.clear()
@@ -180,12 +181,12 @@ class Context:
             request.call_back()
 
     def getNextTimeout(self) -> float | None:  # noqa: N802
-        """Return None, since no time out is planned."""
+        """Return None: there are no timeouts."""
         return None
 
 
 class Handle:
-    """`usb1.USBDeviceHandle` of the chip."""
+    """Replacement for `usb1.USBDeviceHandle`."""
 
     def __init__(self, context: Context, device: VirtualFt232h, host: LoopHost | ThreadHost) -> None:
         self.context = context
@@ -193,12 +194,12 @@ class Handle:
         self._host = host
 
     def claimInterface(self, interface: int) -> None:  # noqa: N802
-        """Take the interface."""
+        """Claim an interface."""
         if not self.device.claim(interface, self):
             raise OSError(errno.EBUSY, f"interface {interface} is claimed")
 
     def releaseInterface(self, interface: int) -> None:  # noqa: N802
-        """Let go of the interface."""
+        """Release an interface."""
         self.device.release(interface, self)
 
     def clearHalt(self, endpoint: int) -> None:  # noqa: N802
@@ -207,10 +208,10 @@ class Handle:
             self.device.host.control_out(0x02, 0x01, 0, endpoint, self.device.now())
 
     def submit(self, transfer: Transfer) -> None:
-        """Take a transfer.
+        """Submit a transfer.
 
         Raises:
-            OSError: where the device is gone.
+            OSError: if the device is unplugged.
         """
         with self.device.changed:
             try:
@@ -220,7 +221,7 @@ class Handle:
         self._host.wake()
 
     def cancel(self, transfer: Transfer) -> None:
-        """End a transfer."""
+        """Cancel a transfer."""
         with self.device.changed:
             self.device.host.cancel(transfer, self.device.now())
         self._host.wake()
@@ -230,14 +231,14 @@ class Handle:
         return TransferRequest(self)
 
     def close(self) -> None:
-        """Close."""
+        """Release all interfaces, and stop advancing the chip."""
         for interface in list(self.device.claims):
             self.releaseInterface(interface)
         self._host.close()
 
 
 class TransferRequest:
-    """`usb1.USBTransfer`."""
+    """Replacement for `usb1.USBTransfer`."""
 
     def __init__(self, handle: Handle) -> None:
         self._handle = handle
@@ -254,7 +255,7 @@ class TransferRequest:
         self._endpoint, self._buffer, self._callback = endpoint, buffer_or_len, callback
 
     def submit(self) -> None:
-        """Begin."""
+        """Submit the transfer."""
         buffer = self._buffer
         if isinstance(buffer, int):
             transfer = Transfer(self._endpoint, size=buffer, on_end=self._end)
@@ -272,18 +273,18 @@ class TransferRequest:
         self._handle.context.ended(self)
 
     def call_back(self) -> None:
-        """Call back the submitter."""
+        """Call the callback of the transfer."""
         self._submitted = False
         if self._callback is not None:
             self._callback(self)
 
     def cancel(self) -> None:
-        """Cancel the transfer, which ends soon."""
+        """Cancel the transfer; its callback still follows."""
         assert self._transfer is not None
         self._handle.cancel(self._transfer)
 
     def isSubmitted(self) -> bool:  # noqa: N802
-        """Return whether it is under way."""
+        """Return True if the transfer is pending."""
         return self._submitted
 
     def getStatus(self) -> int:  # noqa: N802
@@ -293,14 +294,14 @@ class TransferRequest:
         return _STATUSES[self._transfer.status]
 
     def getActualLength(self) -> int:  # noqa: N802
-        """Return how many bytes were moved."""
+        """Return the number of bytes received or sent."""
         assert self._transfer is not None
         return self._transfer.moved
 
     def getBuffer(self) -> bytearray:  # noqa: N802
-        """Return what came."""
+        """Return the received bytes."""
         assert self._transfer is not None
         return self._transfer.data
 
     def close(self) -> None:
-        """Let go of it."""
+        """Do nothing."""

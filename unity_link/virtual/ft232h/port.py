@@ -1,11 +1,11 @@
-"""A port of the chip: its two FIFOs, the rules by which bytes become packets, and what its driver sets.
+"""A port of the chip: two FIFOs, the rules for packets, and the settings of the driver.
 
-It has no clock: who calls says what time it is. Towards the USB it gives and takes packets, towards the FPGA it has the
-FIFO's pins: RXF# is low while there is something to `read`, TXE# while there is `room`, `write` and `send_immediate`
-are WR# and SIWU#.
+A port has no clock: its callers pass the time. Its USB side sends and receives packets. Its FPGA side has the pins of
+the FIFO: RXF# is low while bytes can be `read`, TXE# is low while there is `room`, `write` is WR#, and `send_immediate`
+is SIWU#.
 
-Bytes wait in the port until a packet is sent: when it is full, when the latency timer ends, when the event character
-came, or after SIWU#. A packet takes along all that is there.
+Bytes from the FPGA wait in the port until a packet is sent: when a packet is full, after the latency timer, after the
+event character, or after a pulse of SIWU#. A packet contains all bytes that it has room for.
 """
 
 from __future__ import annotations
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from unity_link.virtual.ft232h.timing import Timing
 
 PAYLOAD = descriptors.PACKET_SIZE - 2
-"""Most bytes in one packet to the host, behind the two status bytes."""
+"""Largest number of bytes in a packet to the host, after the two status bytes."""
 LONGEST_LATENCY = 255
 _HIGH_SPEED_PACKETS = 0x02
 """Always set in the first status byte of a chip on a high-speed bus."""
 _CTS_AND_DSR = 0x30
 _TRANSMITTER_EMPTY = 0x60
 OVERRUN = 0x02
-"""Bit of the second status byte: bytes came while the FIFO was full, and are lost."""
+"""Bit of the second status byte: bytes were lost because the FIFO was full."""
 
 
 class Mode(enum.Enum):
@@ -38,11 +38,11 @@ class Mode(enum.Enum):
     FIFO = "ft245"
     SYNC_FIFO = "ft245-sync"
     OTHER = "other"
-    """Bit-bang, MPSSE and so on, or a port B of which port A has taken what it needs: no bytes pass here."""
+    """Bit-bang, MPSSE and so on, or port B while port A uses its resources: no bytes pass the pins."""
 
 
 class BitMode(enum.IntEnum):
-    """Values of the bit mode request that are known here."""
+    """Supported values of the bit mode request."""
 
     RESET = 0x00
     SYNC_FIFO = 0x40
@@ -52,10 +52,10 @@ class ChipPort:
     """One port.
 
     Args:
-        number: 1 for A, 2 for B.
-        fifo_size: bytes of each FIFO.
-        timing: the numbers of the model.
-        first: port A, for port B: its synchronous FIFO leaves nothing to the other.
+        number: 1 for port A, 2 for port B.
+        fifo_size: size of each FIFO in bytes.
+        timing: figures of the model.
+        first: port A if this is port B, which does not work while port A is a synchronous FIFO; otherwise None.
     """
 
     def __init__(self, number: int, fifo_size: int, timing: Timing, first: ChipPort | None = None) -> None:
@@ -67,7 +67,7 @@ class ChipPort:
         self.power_up("UART", 0.0)
 
     def power_up(self, channel_type: ChannelType, now: float) -> None:
-        """Begin anew, as after being plugged in."""
+        """Set the state after plugging in."""
         self.channel_type = channel_type
         self.to_fpga = bytearray()
         self.to_host = bytearray()
@@ -75,7 +75,7 @@ class ChipPort:
         self.reset(now)
 
     def reset(self, now: float) -> None:
-        """Begin anew, as on a request to reset."""
+        """Set the state after a reset request."""
         self.latency = self.timing.default_latency
         self.event_character: int | None = None
         self.bit_mode = 0
@@ -84,10 +84,10 @@ class ChipPort:
         self.to_fpga.clear()
 
     def purge_to_host(self, now: float) -> None:
-        """Forget what the host has not read."""
+        """Drop the bytes that the host has not read."""
         self.to_host.clear()
         self._wanted = 0
-        """Number of the bytes to the host that are to be sent at once."""
+        """Number of bytes to the host that must be sent at once."""
         self._empty_packet_due = False
         self._timer_began = now
 
@@ -106,22 +106,22 @@ class ChipPort:
 
     @property
     def readable(self) -> int:
-        """Bytes that the FPGA can read; RXF# is high where there are none."""
+        """Number of bytes that the FPGA can read; RXF# is high if it is 0."""
         return len(self.to_fpga)
 
     @property
     def room(self) -> int:
-        """Bytes that the FPGA can write; TXE# is high where there is no room."""
+        """Number of bytes that the FPGA can write; TXE# is high if it is 0."""
         return self.fifo_size - len(self.to_host)
 
     def read(self, count: int) -> bytes:
-        """Return bytes to the FPGA."""
+        """Return up to `count` bytes to the FPGA."""
         data = bytes(self.to_fpga[:count])
         del self.to_fpga[:count]
         return data
 
     def write(self, data: bytes | bytearray) -> None:
-        """Take bytes of the FPGA. What has no room is lost, and the next packet says so."""
+        """Store bytes of the FPGA; bytes without room are lost, and the next packet reports that."""
         room = self.room
         if len(data) > room:
             data = data[:room]
@@ -130,12 +130,12 @@ class ChipPort:
         self.to_host += data
         if self.event_character is not None:
             place = before + data.rfind(self.event_character)
-            # It does not count as the first byte of the buffer.
+            # The chip ignores an event character that is the first byte in the buffer.
             if place >= max(before, 1):
                 self._wanted = place + 1
 
     def send_immediate(self) -> None:
-        """Take a pulse of SIWU#: all that is there is to be sent. Nothing is known of one with an empty FIFO."""
+        """Process a pulse of SIWU#: send all bytes in the FIFO. FTDI does not document a pulse with an empty FIFO."""
         self._wanted = len(self.to_host)
 
     def report_error(self, bits: int) -> None:
@@ -146,15 +146,15 @@ class ChipPort:
 
     @property
     def can_take(self) -> int:
-        """Bytes that a packet from the host may have now."""
+        """Number of bytes that the port can receive from the host now."""
         return self.fifo_size - len(self.to_fpga)
 
     def take(self, packet: bytes) -> None:
-        """Take a packet from the host."""
+        """Store a packet from the host."""
         self.to_fpga += packet
 
     def ready_at(self, now: float) -> float:
-        """Return when the port answers a request for a packet; before that it refuses (NAK)."""
+        """Return the time from which on the port answers a request for a packet; before it answers with NAK."""
         if len(self.to_host) >= PAYLOAD or self._wanted or self._empty_packet_due:
             return now
         return max(now, self._timer_began + self.latency / 1000)
@@ -172,6 +172,6 @@ class ChipPort:
         return packet
 
     def status(self) -> bytes:
-        """Return the two bytes before every packet."""
+        """Return the two status bytes at the beginning of each packet."""
         modem = _HIGH_SPEED_PACKETS | (_CTS_AND_DSR if self.mode is Mode.UART else 0)
         return bytes([modem, self._errors | (0 if self.to_fpga else _TRANSMITTER_EMPTY)])

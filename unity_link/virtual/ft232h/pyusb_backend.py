@@ -1,7 +1,7 @@
-"""The virtual bus as a backend of pyusb, so that an unmodified pyftdi opens a virtual chip as it does a real one.
+"""A pyusb backend for simulated chips, so that an unmodified pyftdi can open them.
 
-`installed` puts a bus in the place of the machine's USB for a while: for tests, and whatever is to find the chip by its
-usual URL. Without it, `find` gives pyusb's device for a chip, and the rest of the program keeps the real USB.
+`installed` replaces the machine's USB by a simulated bus in a block: programs then find the chip by its usual URL.
+`find` returns pyusb's device for one chip; the rest of the program still uses the real USB.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _DIRECTION_IN = 0x80
 
 
 class OpenDevice:
-    """An open device."""
+    """Handle of an open device."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self.device = device
@@ -44,23 +44,23 @@ class OpenDevice:
 
     @property
     def gone(self) -> bool:
-        """Return whether the device was unplugged since it was opened."""
+        """True if the device was unplugged after it was opened."""
         return not self.device.host.plugged or self.device.times_plugged != self._times_plugged
 
 
 class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
-    """pyusb's way to one bus; the methods are pyusb's, and so are their names and arguments."""
+    """The backend for one bus; methods and arguments have pyusb's names."""
 
     def __init__(self, bus: VirtualBus) -> None:
         super().__init__()
         self._bus = bus
 
     def device_at(self, address: int) -> VirtualFt232h:
-        """Return the chip with a number on the bus."""
+        """Return the chip with an address on the bus."""
         return next(device for device in self._bus.devices if device.address == address)
 
     def open_for_transfers(self, bus: int, address: int, interface: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one bus)
-        """Return what stands for libusb's context and handle of a chip, for overlapped transfers."""
+        """Return the replacements for libusb's context and handle of a chip, for overlapped transfers."""
         from unity_link.virtual.ft232h.libusb1 import Context
 
         context = Context(self.device_at(address))
@@ -71,24 +71,24 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     # Descriptors
 
     def enumerate_devices(self) -> Iterator[VirtualFt232h]:
-        """Return the devices."""
+        """Yield the devices on the bus."""
         yield from self._bus.devices
 
     def get_parent(self, dev: VirtualFt232h) -> None:
-        """Return that there is no hub."""
+        """Return None: there is no hub."""
 
     def get_device_descriptor(self, dev: VirtualFt232h) -> _Device:
-        """Return the device descriptor, and where the device is."""
+        """Return the device descriptor, with the place of the device on the bus."""
         return _Device(dev)
 
     def get_configuration_descriptor(self, dev: VirtualFt232h, config: int) -> descriptors.ConfigurationDescriptor:
-        """Return a configuration; IndexError past the end."""
+        """Return a configuration descriptor; raise IndexError if it does not exist."""
         return [descriptors.configuration(dev.chip.kind)][config]
 
     def get_interface_descriptor(
         self, dev: VirtualFt232h, intf: int, alt: int, config: int
     ) -> descriptors.InterfaceDescriptor:
-        """Return an interface; IndexError past the end."""
+        """Return an interface descriptor; raise IndexError if it does not exist."""
         if alt:
             raise IndexError(alt)
         self.get_configuration_descriptor(dev, config)
@@ -97,14 +97,14 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     def get_endpoint_descriptor(
         self, dev: VirtualFt232h, ep: int, intf: int, alt: int, config: int
     ) -> descriptors.EndpointDescriptor:
-        """Return an endpoint; IndexError past the end."""
+        """Return an endpoint descriptor; raise IndexError if it does not exist."""
         self.get_interface_descriptor(dev, intf, alt, config)
         return descriptors.endpoints(intf + 1)[ep]
 
-    # Life
+    # Opening and closing
 
     def open_device(self, dev: VirtualFt232h) -> OpenDevice:
-        """Open."""
+        """Open a device, and return its handle."""
         if dev.denied:
             raise _error(_LIBUSB_ERROR_ACCESS)
         if not dev.host.plugged:
@@ -112,33 +112,33 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         return OpenDevice(dev)
 
     def close_device(self, dev_handle: OpenDevice) -> None:
-        """Close."""
+        """Close a handle, and release its interfaces."""
         for interface in list(dev_handle.device.claims):
             dev_handle.device.release(interface, dev_handle)
 
     def get_configuration(self, dev_handle: OpenDevice) -> int:
-        """Return the configuration; a host sets the only one by itself when a device is plugged in."""
+        """Return the number of the configuration; a host sets the only configuration when a device is plugged in."""
         return dev_handle.device.chip.configuration or 1
 
     def set_configuration(self, dev_handle: OpenDevice, config_value: int) -> None:
-        """Set the configuration, which Linux refuses while anybody has an interface, be it this handle."""
+        """Set the configuration; Linux refuses this while any handle, even this one, has claimed an interface."""
         if dev_handle.device.claims:
             raise _error(_LIBUSB_ERROR_BUSY)
         self.ctrl_transfer(dev_handle, 0x00, 0x09, config_value, 0, None, 0)
 
     def claim_interface(self, dev_handle: OpenDevice, intf: int) -> None:
-        """Take the interface for this handle."""
+        """Claim an interface for this handle."""
         if not dev_handle.device.claim(intf, dev_handle):
             raise _error(_LIBUSB_ERROR_BUSY)
 
     def release_interface(self, dev_handle: OpenDevice, intf: int) -> None:
-        """Let go of the interface."""
+        """Release an interface."""
         if dev_handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
         dev_handle.device.release(intf, dev_handle)
 
     def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:  # noqa: ARG002
-        """Return False, since no other driver has it."""
+        """Return False: no kernel driver uses the device."""
         return False
 
     def reset_device(self, dev_handle: OpenDevice) -> None:
@@ -162,7 +162,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         data: array[int] | None,
         timeout: int,  # noqa: ARG002  (the chip answers at once)
     ) -> int:
-        """Do a control request; gives how many bytes were moved."""
+        """Execute a control request, and return the number of transferred bytes."""
         device = dev_handle.device
         if dev_handle.gone:
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
@@ -178,13 +178,13 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         return _fill(data, answer)
 
     def bulk_read(self, dev_handle: OpenDevice, ep: int, intf: int, buff: array[int], timeout: int) -> int:  # noqa: ARG002
-        """Read into `buff`; gives how many bytes came. `timeout` is in ms, 0 for none."""
+        """Read into `buff`, and return the number of received bytes; `timeout` is in ms, 0 for no limit."""
         transfer = Transfer(ep, size=len(buff))
         self._run(dev_handle, transfer, timeout)
         return _fill(buff, transfer.data)
 
     def bulk_write(self, dev_handle: OpenDevice, ep: int, intf: int, data: array[int], timeout: int) -> int:  # noqa: ARG002
-        """Write; gives how many bytes went. `timeout` is in ms, 0 for none."""
+        """Write bytes, and return the number of sent bytes; `timeout` is in ms, 0 for no limit."""
         transfer = Transfer(ep, data=data.tobytes())
         self._run(dev_handle, transfer, timeout)
         return transfer.sent
@@ -210,7 +210,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
 
 
 class _Device:
-    """The device descriptor with what pyusb wants to know besides."""
+    """The device descriptor with further attributes that pyusb needs."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self._descriptor = device.chip.device_descriptor
@@ -238,7 +238,7 @@ def _error(code: int) -> usb.core.USBError:
 
 
 def find(device: VirtualFt232h) -> usb.core.Device:
-    """Return pyusb's device for a chip that is on no other bus."""
+    """Return pyusb's device for a chip that is not attached to a bus."""
     return usb.core.Device(device, Backend(VirtualBus(device)))
 
 
@@ -246,13 +246,13 @@ _installed: list[Backend] = []
 
 
 def get_backend() -> Backend | None:
-    """Return the backend of the bus that is installed; pyftdi asks the module for it."""
+    """Return the backend of the installed bus, or None; pyftdi calls this function of the module."""
     return _installed[-1] if _installed else None
 
 
 @contextmanager
 def installed(bus: VirtualBus) -> Iterator[VirtualBus]:
-    """Show pyftdi the chips of `bus` and nothing else, in the block."""
+    """Replace the machine's USB by `bus` for pyftdi in the block."""
     from pyftdi.usbtools import UsbTools
 
     before = UsbTools.BACKENDS

@@ -1,10 +1,9 @@
-"""The gateware itself at the chip's pins: every clock cycle of it passes in modelled time.
+"""Compiled gateware at the chip's pins: each of its clock cycles takes simulated time.
 
-The pins are modelled, at the rate of the datasheet for each direction; what the gateware does with a byte, and when it
-pulses SIWU#, is its own doing. It is run in slices of at most `SLICE` seconds: at the beginning of one, it is shown
-what the chip holds, and at its end, the chip gets what came out. A slice ends early behind a pulse of SIWU#, and when
-nothing moves any more, so that a request that comes alone is timed to the cycle. While nothing can move, no cycle is
-spent.
+The pins are modelled, with the data sheet's rate in each direction; the gateware itself processes the bytes and pulses
+SIWU#. It runs in slices of at most `SLICE` seconds. At the beginning of a slice the gateware gets the bytes in the
+chip, and at its end the chip gets the gateware's bytes. A slice ends early after a pulse of SIWU#, and when no bytes
+move any more, so that a single request is timed to the cycle. No cycles are computed while no bytes can move.
 """
 
 from __future__ import annotations
@@ -19,17 +18,20 @@ if TYPE_CHECKING:
     from unity_link.virtual.rtl.gateway import Passage
 
 SLICE = 8e-6
-"""Seconds: 64 bytes at 8 MB/s, as `board.STEP`."""
+"""Length of a slice in seconds: 64 bytes at 8 MB/s, as in `board.STEP`."""
 _LOOKS = 4
-"""Slices in which nothing moves, behind bytes: to set up a group of 255 words takes the gateware longer than one."""
+"""Number of further slices after the last byte, because the gateware may need longer than one slice to answer.
+
+For example, setting up a group of 255 words takes more than one slice.
+"""
 
 
 class RtlBoard:
     """The compiled gateware at the pins of an asynchronous FIFO.
 
     Args:
-        gateway: its `info` must say the clock that it is to run at.
-        bytes_per_second: rate of the pins, for each direction (`Timing.fifo_bytes_per_second`).
+        gateway: the gateware; its `info` has the frequency of its clock.
+        bytes_per_second: rate of the pins in each direction (`Timing.fifo_bytes_per_second`).
     """
 
     def __init__(self, gateway: RtlGateway, bytes_per_second: float) -> None:
@@ -39,19 +41,19 @@ class RtlBoard:
         self._slice_cycles = round(SLICE * self._clock_hz)
         self._slice_bytes = round(SLICE * bytes_per_second)
         self._passing: tuple[float, Passage] | None = None
-        """Instant at which a slice ends, and the bytes that pass the pins in it."""
+        """End of the current slice, and the bytes that pass the pins in it."""
         self._moving = False
-        """True if the gateway may go on without anything new at the pins."""
+        """True if the gateway may have more to do without new bytes at the pins."""
         self._looks = 0
-        """Slices that are still looked at although nothing moves."""
+        """Number of further slices to run although no bytes move."""
         self._blocked = False
-        """True if what it has to send has found no room."""
+        """True if the chip had no room for all bytes of the gateway."""
         self._began = (0.0, 0)
-        """Instant and cycle at which the last slice began."""
+        """Time and cycle at which the last slice began."""
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which the slice under way ends."""
+        """Time at which the current slice ends; None if there is none."""
         return None if self._passing is None else self._passing[0]
 
     def time_of(self, cycle: int) -> float:
@@ -60,7 +62,7 @@ class RtlBoard:
         return began + (cycle - first) / self._clock_hz
 
     def advance(self, port: ChipPort, now: float) -> None:
-        """End the slice that is done, and begin the next, if there is anything to do."""
+        """End a finished slice, and begin the next one if the gateway has something to do."""
         if self._passing is not None:
             end, passage = self._passing
             if end > now:
@@ -78,7 +80,7 @@ class RtlBoard:
         self._looks = _LOOKS if passage.taken else max(0, self._looks - 1)
         self._moving = passage.flush or passage.cycles == self._slice_cycles or self._looks > 0
         self._blocked = len(passage.sent) == room
-        # What came too late to move anything, like a byte for a full FIFO, is looked at again after a while.
+        # A slice without any cycle, as for a full FIFO, still takes the time of a whole slice before the next try.
         self._passing = (now + (passage.cycles or self._slice_cycles) / self._clock_hz, passage)
 
     def _end(self, port: ChipPort, passage: Passage) -> None:

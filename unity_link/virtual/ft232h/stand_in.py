@@ -1,7 +1,7 @@
-"""``ftdi://virtual`` and ``ftdi-async://virtual``: a virtual FT232H with a virtual gateway behind it.
+"""``ftdi://virtual`` and ``ftdi-async://virtual``: a simulated FT232H with a virtual gateway at its pins.
 
-The path names the robot, as in ``ftdi://virtual/scara`` or ``ftdi://virtual/robot.ul`` (with one more slash for a path
-from the root on); the options are those of ``sim:``.
+The path is the robot, as in ``ftdi://virtual/scara`` or ``ftdi://virtual/robot.ul``; an absolute path has one more
+slash. The options are those of ``sim:``.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ OPTIONS = frozenset({*CONFIGURATION, *CHANCES, *ROBOT_OPTIONS, "seed"})
 
 
 def open_ftdi(url: DriverUrl, mode: ChipMode) -> Any:
-    """Return an open `pyftdi.ftdi.Ftdi` of a new virtual chip, as if it were a real one.
+    """Return an open `pyftdi.ftdi.Ftdi` of a new simulated chip.
 
     Raises:
-        ArgumentError: for a robot or an option that does not exist, or a value that no gateway can have.
+        ArgumentError: if the robot or an option does not exist, or no gateway can have one of the values.
     """
     from pyftdi.ftdi import Ftdi
 

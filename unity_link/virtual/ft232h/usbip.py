@@ -1,11 +1,11 @@
-"""The virtual chip as a real USB device of a machine: a USB/IP server.
+"""A USB/IP server, by which a machine gets the simulated chip as a USB device.
 
-A Linux with vhci-hcd attaches it (``usbip attach -r HOST -b 1-1``), and from then on its own drivers, libusb and
-everything on top of them see a high-speed FT232H or FT2232H. The protocol is that of the kernel's
-``Documentation/usb/usbip_protocol.rst``, version 1.1.1; one client at a time has the device, others can list it.
+A Linux machine with vhci-hcd attaches the chip (``usbip attach -r HOST -b 1-1``). Its drivers, libusb and all programs
+then see a high-speed FT232H or FT2232H. The protocol is that of the kernel's ``Documentation/usb/usbip_protocol.rst``,
+version 1.1.1. One client at a time can use the device; others can list it.
 
-The chip moves on in real time in a thread (`libusb1.ThreadHost`), since timers of event loops are too coarse for
-microframes; what ends is handed to the loop, which sends the replies.
+A thread advances the chip in real time (`libusb1.ThreadHost`), because timers of event loops are too coarse for
+microframes. The event loop sends the replies for ended transfers.
 """
 
 from __future__ import annotations
@@ -26,32 +26,32 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
 PORT = 3240
-"""The protocol's usual port."""
+"""Default port of the protocol."""
 BUS_ID = "1-1"
 VERSION = 0x0111
 REQUEST_LIST, REPLY_LIST = 0x8005, 0x0005
 REQUEST_IMPORT, REPLY_IMPORT = 0x8003, 0x0003
 SUBMIT, UNLINK, SUBMITTED, UNLINKED = 1, 2, 3, 4
 OPERATION = struct.Struct(">HHI")
-"""Version, code, status."""
+"""Fields: version, code, status."""
 DEVICE = struct.Struct(">256s32sIIIHHHBBBBBB")
 INTERFACE = struct.Struct(">BBBx")
 HEADER = struct.Struct(">IIIII")
-"""Command, sequence number, device, direction, endpoint."""
+"""Fields: command, sequence number, device, direction, endpoint."""
 SUBMISSION = struct.Struct(">Iiiii8s")
-"""Flags, length, start frame, number of packets, interval, setup packet."""
+"""Fields: flags, length, start frame, number of packets, interval, setup packet."""
 UNLINKING = struct.Struct(">I24x")
 SUBMISSION_REPLY = struct.Struct(">iiiii8x")
-"""Status, length, start frame, number of packets, errors."""
+"""Fields: status, length, start frame, number of packets, errors."""
 UNLINKING_REPLY = struct.Struct(">i24x")
 SETUP = struct.Struct("<BBHHH")
 _IN = 1
 _DIRECTION_IN = 0x80
 _FAILED = 1
 MOST_BYTES = 1 << 20
-"""Most bytes of a transfer: more than a kernel submits, and less than would harm."""
+"""Largest transfer in bytes: more than kernels submit, and little enough memory."""
 MOST_TRANSFERS = 1024
-"""Most transfers under way on a connection; one more ends it."""
+"""Largest number of pending transfers on a connection; a further one ends the connection."""
 _ERRORS = {
     TransferStatus.DONE: 0,
     TransferStatus.STALLED: -errno.EPIPE,
@@ -63,10 +63,10 @@ _ERRORS = {
 
 @serving("an FTDI chip")
 async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.0.0.1") -> AsyncIterator[str]:
-    """Serve a chip; gives how a Linux attaches it.
+    """Serve a chip, and yield the command by which a Linux machine attaches it.
 
     Raises:
-        ConnectError: where the port can't be opened.
+        ConnectError: if the port cannot be opened.
     """
     device.address = device.address or 2
     server = UsbipServer(device)
@@ -83,14 +83,14 @@ async def serve_usbip(device: VirtualFt232h, port: int = PORT, host: str = "127.
 
 
 class UsbipServer:
-    """All connections to one chip."""
+    """The server of one chip, with all connections."""
 
     def __init__(self, device: VirtualFt232h) -> None:
         self._device = device
         self._tasks: set[asyncio.Task[None]] = set()
 
     async def serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        """Serve one connection to its end."""
+        """Serve one connection until it ends."""
         task = asyncio.current_task()
         assert task is not None
         self._tasks.add(task)
@@ -104,7 +104,7 @@ class UsbipServer:
             writer.close()
 
     async def close(self) -> None:
-        """End all connections."""
+        """Close all connections."""
         tasks = list(self._tasks)
         for task in tasks:
             task.cancel()
@@ -112,7 +112,7 @@ class UsbipServer:
             await asyncio.wait(tasks)
 
     async def _negotiate(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> bool:
-        """Answer the first question; gives whether the device is this client's from now on."""
+        """Answer the first request; return True if the client has the device from now on."""
         version, code, _ = OPERATION.unpack(await reader.readexactly(OPERATION.size))
         if version != VERSION:
             raise ProtocolError(f"version {version:#x} was asked for, and {VERSION:#x} is spoken")
@@ -160,11 +160,11 @@ class UsbipServer:
 
 
 class ProtocolError(Exception):
-    """Input that the protocol does not have; the connection ends."""
+    """The input is not of the protocol; the connection ends."""
 
 
 class UsbipImport:
-    """One client that has the device."""
+    """The connection of the client that has the device."""
 
     def __init__(self, device: VirtualFt232h, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._device = device
@@ -176,7 +176,7 @@ class UsbipImport:
         self._endpoints = {endpoint for port in device.chip.ports for endpoint in (port.in_endpoint, port.out_endpoint)}
 
     async def run(self) -> None:
-        """Serve until the client goes, or the device is unplugged."""
+        """Serve until the client disconnects, or the device is unplugged."""
         for port in self._device.chip.ports:
             self._device.claim(port.number - 1, self)
         try:
@@ -192,7 +192,7 @@ class UsbipImport:
         finally:
             for transfer in list(self._under_way.values()):
                 self._cancel(transfer)
-            # It joins a thread that may wait for the loop's lock no longer than one step.
+            # This joins the thread, which ends at the latest after one step of the model.
             self._kernel.close()
             for port in self._device.chip.ports:
                 self._device.release(port.number - 1, self)
@@ -227,7 +227,7 @@ class UsbipImport:
         self._kernel.wake()
 
     def _end(self, number: int, transfer: Transfer) -> None:
-        """Reply to a transfer, unless it was unlinked meanwhile."""
+        """Reply to a transfer that has ended, unless it was unlinked before."""
         if self._under_way.pop(number, None) is None or self._writer.is_closing():
             return
         assert transfer.status is not None
@@ -237,7 +237,7 @@ class UsbipImport:
             self._writer.close()
 
     def _unlink(self, number: int, unlinked: int) -> None:
-        """Cancel a transfer; one that has ended already was, or is, replied to with what it has moved."""
+        """Cancel a transfer; if it has ended already, its reply is sent now, or was sent before."""
         cancelled = False
         if (transfer := self._under_way.get(unlinked)) is not None:
             self._cancel(transfer)
@@ -254,7 +254,7 @@ class UsbipImport:
             self._device.host.cancel(transfer, self._device.now())
 
     def _control(self, number: int, setup: bytes) -> None:
-        """Do a control request, and reply at once: its few microframes do not count here."""
+        """Execute a control request, and reply at once, without the duration of a few microframes."""
         kind, request, value, index, length = SETUP.unpack(setup)
         device, answer = self._device, b""
         try:

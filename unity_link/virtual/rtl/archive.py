@@ -1,6 +1,6 @@
-"""The C++ of all builds of the gateware, as an installation carries it: an archive, and an index of what is in it.
+"""The C++ of all builds of the gateware in an installation: an archive, and an index of its contents.
 
-Builds differ little from each other, so that together, with one dictionary, they take not much more than one.
+The builds are similar, so that all of them, compressed with a common dictionary, take little more space than one.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class Entry(msgspec.Struct, frozen=True, omit_defaults=True):
     """Entry of one build in the index."""
 
     origin: str
-    """Names what it was made from."""
+    """Hash of the inputs from which the build was made."""
     answers: str
-    """Its answer to `Q`, in hex."""
+    """Answer of the build to `Q`, in hex."""
     digest: str
-    """Names its C++."""
+    """Hash of its C++."""
     node: int | None = None
 
     @classmethod
@@ -43,7 +43,7 @@ class Entry(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 def digest_of(text: bytes) -> str:
-    """Return what names the C++ of a build."""
+    """Return the first 16 hex digits of the SHA-256 of a build's C++."""
     return hashlib.sha256(text).hexdigest()[:16]
 
 
@@ -51,7 +51,7 @@ def text_of(name: str, digest: str) -> bytes:
     """Return the C++ of a build.
 
     Raises:
-        ArgumentError: where this installation does not have it.
+        ArgumentError: if this installation does not have it.
     """
     text = read_texts(GENERATED).get(name, b"")
     if digest_of(text) != digest:
@@ -60,10 +60,10 @@ def text_of(name: str, digest: str) -> bytes:
 
 
 def read_index(folder: Path) -> dict[str, Entry]:
-    """Return what is said of each build of a folder, by name; nothing, where there is no index.
+    """Return the entries of the index in a folder, by name; an empty dict if there is no index.
 
     Raises:
-        ArgumentError: for an index that cannot be read.
+        ArgumentError: if the index cannot be read.
     """
     path = folder / _INDEX
     if not path.exists():
@@ -71,16 +71,16 @@ def read_index(folder: Path) -> dict[str, Entry]:
     try:
         return msgspec.json.decode(path.read_bytes(), type=dict[str, Entry])
     except (OSError, msgspec.DecodeError) as error:
-        raise ArgumentError(f"{path} does not say what gateware there is ({error}): {_ADVICE}") from error
+        raise ArgumentError(f"{path} is no index of the gateware ({error}): {_ADVICE}") from error
 
 
 def read_texts(folder: Path) -> dict[str, bytes]:
-    """Return the C++ of each build of a folder, by name; nothing, where there is no archive.
+    """Return the C++ of all builds in the archive of a folder, by name; an empty dict if there is no archive.
 
     Raises:
-        ArgumentError: for an archive that cannot be read.
+        ArgumentError: if the archive cannot be read.
     """
-    # Imported here, as a library that is compiled already needs none of it.
+    # Imported here because it is not needed if the library is compiled already.
     import tarfile
 
     path = folder / _ARCHIVE
@@ -95,13 +95,13 @@ def read_texts(folder: Path) -> dict[str, bytes]:
 
 
 def write(folder: Path, index: Mapping[str, Entry], texts: Mapping[str, bytes]) -> None:
-    """Put index and archive into a folder; the same texts make the same archive."""
+    """Write the index and the archive into a folder; the same texts always make the same archive."""
     import io
     import lzma
     import tarfile
 
     packed = io.BytesIO()
-    # One dictionary for all: builds have most of their text in common.
+    # Compress all together, because the builds have most of their text in common.
     with tarfile.open(fileobj=packed, mode="w") as archive:
         for name, text in sorted(texts.items()):
             member = tarfile.TarInfo(f"{name}.cc")

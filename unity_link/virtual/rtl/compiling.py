@@ -1,8 +1,8 @@
-"""Compiles the gateware's C++ at first use, and keeps the result.
+"""Compiles the gateware's C++ at first use, and keeps the library in the user's cache.
 
-A compiled library is kept in the user's cache under a hash of its sources, of the compiler and of its options, so that
-it is never stale; half a minute is spent once after an installation or an update. Two programs may do so at once: each
-puts its own in place as a whole, and both are the same.
+The name of a library contains a hash of its sources, the compiler and the options, so that it is never outdated.
+Compiling takes half a minute after an installation or an update. Two programs may compile at the same time: each
+renames its complete library into place, and both libraries are the same.
 """
 
 from __future__ import annotations
@@ -33,17 +33,17 @@ _HERE = Path(__file__).parent
 RUNTIME = _HERE / "cxxrtl_runtime"
 _SHIM = _HERE / "shim.cc"
 _COMPILERS = ("c++", "g++", "clang++")
-# Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
+# With -O3 the gateware runs twice as fast as with -O2.
 _OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
 log = logging.getLogger("unity_link.rtl")
 
 
 def compiled(configuration: Configuration) -> Path:
-    """Return the shared library of a build of the gateware, compiled unless that was done before.
+    """Return the path of the shared library of a build; compile it if the cache does not have it.
 
     Raises:
-        ArgumentError: where this installation does not have its C++.
-        ConnectError: where no C++ compiler is installed, it fails, or the result cannot be kept.
+        ArgumentError: if this installation does not have the C++ of the build.
+        ConnectError: if no C++ compiler is installed, the compiler fails, or the library cannot be stored.
     """
     plan = _Plan.of(configuration)
     if not cache.is_whole(plan.library):
@@ -53,22 +53,22 @@ def compiled(configuration: Configuration) -> Path:
 
 
 async def compile_beside(configuration: Configuration) -> None:
-    """Do what `compiled` does while the event loop goes on; cancellation ends the compiler.
+    """Compile a build as `compiled` does, without blocking the event loop; cancellation ends the compiler.
 
     Raises:
-        ConnectError: as `compiled`.
+        ConnectError: as for `compiled`.
     """
     plan = _Plan.of(configuration)
     if cache.is_whole(plan.library):
         return
     with plan.compiling() as process:
-        # A thread waits, for processes of asyncio need a loop that watches children.
+        # Wait in a thread, because not all event loops support processes of asyncio.
         errors = (await asyncio.to_thread(process.communicate))[1]
         plan.check(errors, process.returncode)
 
 
 class _Plan(msgspec.Struct, frozen=True):
-    """Steps of a compilation, and the paths of their results."""
+    """A compilation: the compiler's command, the build, and the path of the library."""
 
     compiler: list[str]
     configuration: Configuration
@@ -86,7 +86,7 @@ class _Plan(msgspec.Struct, frozen=True):
 
     @contextlib.contextmanager
     def compiling(self) -> Iterator[subprocess.Popen[bytes]]:
-        """Run the compiler; the library is kept if the block ends well."""
+        """Run the compiler; store the library if the block ends without an exception."""
         text = self.configuration.text()
         log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
         try:
@@ -106,7 +106,7 @@ class _Plan(msgspec.Struct, frozen=True):
             raise _not_kept(self.library.parent, error.strerror or str(error)) from error
 
     def check(self, errors: bytes, code: int) -> None:
-        """Raise `ConnectError` where the compiler has failed."""
+        """Raise `ConnectError` if the compiler has failed."""
         if code:
             lines = errors.decode(errors="replace").strip().splitlines()
             reason = next((line for line in lines if "error" in line), lines[0] if lines else f"exit code {code}")
@@ -117,7 +117,7 @@ def compiler() -> list[str]:
     """Return the command of the C++ compiler.
 
     Raises:
-        ConnectError: where none is installed.
+        ConnectError: if no compiler is installed.
     """
     chosen = shlex.split(os.environ.get("CXX", ""))
     for candidate in [chosen] if chosen else [[name] for name in _COMPILERS]:
@@ -135,10 +135,10 @@ def _not_kept(folder: Path, reason: str) -> ConnectError:
 
 
 def cache_folder() -> Path:
-    """Return the folder in which libraries, and what they are compiled from, are kept; it is made.
+    """Return the folder of the cache for libraries and their C++; create it if it does not exist.
 
     Raises:
-        ConnectError: where it cannot be made.
+        ConnectError: if the folder cannot be created.
     """
     try:
         return cache.cache_folder("rtl")

@@ -1,7 +1,6 @@
-"""The builds of the gateware that an installation has, and which of them a user means.
+"""Lists the builds of the gateware in an installation, and selects one by the fields of its configuration.
 
-The index of their archive says of each what its gateware answers to `Q`, so nothing is unpacked or compiled to choose
-one.
+The index of the archive has the answer of each build to `Q`, so that selecting a build unpacks and compiles nothing.
 """
 
 from __future__ import annotations
@@ -27,19 +26,19 @@ class Design(msgspec.Struct, frozen=True):
     """A whole design around a gateway, with a register bank."""
 
     sources: tuple[tuple[str, str], ...]
-    """Names and texts of its VHDL; the last file has its top, which is called as the file is."""
+    """Names and texts of the VHDL files; the last file has the top, which has the file's name."""
     masters: tuple[tuple[str, int], ...]
-    """Its Wishbone masters: what the names of their ports begin with, and where their addresses begin."""
+    """Wishbone masters of the design: prefix of the names of their ports, and their first address."""
     own: tuple[tuple[str, str], ...] = ()
-    """A user's files of VHDL: their names for the user, and their texts."""
+    """Paths and texts of a user's VHDL files."""
     instances: tuple[OwnInstance, ...] = ()
-    """Instances of entities of these files."""
+    """Instances of the entities in the user's files."""
     unchecked: bool = False
     """True if the Verilog of these entities is not compared with GHDL's simulation."""
 
     @property
     def top(self) -> str:
-        """Name of its top."""
+        """Name of the top entity."""
         return self.sources[-1][0].removesuffix(".vhd")
 
 
@@ -49,45 +48,45 @@ class Configuration(msgspec.Struct, frozen=True):
     name: str
     info: GatewayInfo
     digest: str
-    """Names its C++."""
+    """Hash of its C++."""
     node: int | None
-    """Its number on a medium that several share."""
+    """Node number on a shared medium; None if the medium is not shared."""
     generics: str = ""
-    """Generics of a configuration that an installation does not have, as JSON: it is made of these."""
+    """Generics as JSON, if the C++ must be made from them; empty for a build in the installation."""
     path: str = ""
-    """Path of its C++ then."""
+    """Path of the C++ that was made from the generics."""
     design: Design | None = None
-    """The design around the gateway; None where it is the gateway alone."""
+    """The design around the gateway; None for a gateway alone."""
 
     def made(self, path: Path) -> Configuration:
-        """Return the configuration with its C++, which is in a file."""
+        """Return the configuration with the path of its C++."""
         return msgspec.structs.replace(self, path=str(path), digest=path.stem.rpartition("-")[2])
 
     def text(self) -> bytes:
         """Return its C++.
 
         Raises:
-            ArgumentError: where this installation does not have it.
+            ArgumentError: if this installation does not have it.
         """
         if self.path:
             return Path(self.path).read_bytes()
         return archive.text_of(self.name, self.digest)
 
     def has(self, fields: Mapping[str, int], node: int | None) -> bool:
-        """Return whether it is what a user describes."""
+        """Return True if the configuration has these fields of `GatewayInfo` and this node."""
         return node == self.node and all(getattr(self.info, name) == value for name, value in fields.items())
 
     def distance(self, other: Configuration) -> int:
-        """Return the number of fields in which it differs from another one."""
+        """Return the number of fields in which two configurations differ."""
         return sum(getattr(self.info, name) != getattr(other.info, name) for name in GatewayInfo.__struct_fields__)
 
 
 @functools.cache
 def configurations() -> dict[str, Configuration]:
-    """Return what is part of this installation, by name.
+    """Return the builds in this installation, by name.
 
     Raises:
-        ArgumentError: for an index that does not say what there is.
+        ArgumentError: if their index cannot be read.
     """
     return {
         name: Configuration(name, GatewayInfo.from_hex(entry.answers.encode()), entry.digest, entry.node)
@@ -99,7 +98,7 @@ def find(name: str) -> Configuration:
     """Return a build by its name.
 
     Raises:
-        ArgumentError: for one that there is not.
+        ArgumentError: if there is no such build.
     """
     known = configurations()
     if name not in known:
@@ -108,16 +107,16 @@ def find(name: str) -> Configuration:
 
 
 def choose(fields: Mapping[str, int], node: int | None = None) -> Configuration:
-    """Return the build that has some fields of `GatewayInfo`, and is otherwise as much as can be like the default one.
+    """Return the build with given fields that is otherwise most similar to the default build.
 
-    One with a quicker clock, which a PC can't keep pace with, is given only if nothing else fits.
+    A build with a faster clock, which a PC does not simulate in real time, is returned only if no other one matches.
 
     Args:
-        fields: what it must have.
-        node: the number that it must have on a medium that several share, None for a medium of its own.
+        fields: required fields of `GatewayInfo`.
+        node: required node number on a shared medium; None if the medium is not shared.
 
     Raises:
-        ArgumentError: where none was compiled.
+        ArgumentError: if no build matches.
     """
     default, known = find(DEFAULT), configurations().values()
     matching = [candidate for candidate in known if candidate.has(fields, node)]
@@ -140,7 +139,7 @@ def _fields(fields: Mapping[str, int], node: int | None) -> dict[str, int]:
 
 
 def _describe(candidate: Configuration, fields: Mapping[str, int], node: int | None) -> str:
-    """Write what a build has in the fields that were asked for, as in a URL."""
+    """Return the values of a build's fields in the form of URL options."""
     values = {name: int(getattr(candidate.info, name)) for name in fields}
     if node is not None and candidate.node is not None:
         values["node"] = candidate.node

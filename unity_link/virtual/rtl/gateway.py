@@ -1,13 +1,13 @@
-"""One gateway that is the gateware: bytes and the time go in, bytes come out, clock cycles pass in between.
+"""A gateway that runs the compiled gateware, cycle by cycle.
 
-A whole design around a gateway has further ports, which are looked at, driven and watched here (`ports`).
+The other ports of a whole design can be read, driven and watched (`ports`).
 
-Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. A machine
-simulates about two million of them in a second, so a served gateway is clocked far slower than a board. Cycles in which
-nothing can happen, because no periodic group is running and no byte is under way, are skipped: the gateware's clock is
-set forward, by whole base ticks. While one runs, each cycle counts: `next_due` asks for `advance` every `SLICE`
-seconds, and cycles keep pace with the `now` that it is given. What a slow machine can't make up for in one call
-(`MOST_LATE`) is left out: the gateware's time then falls behind, as its timestamps show, but nothing piles up.
+The gateware counts only cycles of its clock, and its answer to `Q` has the clock's frequency. A machine simulates about
+two million cycles in a second, so a served gateway has a much slower clock than a board. If no periodic group is
+running and no bytes are pending, cycles have no effect and are skipped: the gateware's clock is advanced by whole base
+ticks. While a group runs, each cycle is computed: `next_due` requests `advance` every `SLICE` seconds, and the cycles
+follow the time `now`. A slow machine skips the time that it cannot compute in one call (`MOST_LATE`). The gateware's
+time, and its timestamps, then lag behind, but the delay does not accumulate.
 """
 
 from __future__ import annotations
@@ -35,12 +35,13 @@ if TYPE_CHECKING:
 SLICE = 0.001
 """Seconds between two calls of `advance` while groups may be running."""
 MOST_LATE = 10 * SLICE
-"""Seconds of the gateware's clock that pass in one call at most, while groups are running."""
+"""Largest time in seconds by which one call advances the gateware, while groups are running."""
 MOST_AHEAD = 0.005
-"""Seconds by which answers to requests that come at once put the gateware's clock ahead at most, while groups run."""
+"""Largest time in seconds by which answering requests at once may put the gateware ahead, while groups are running."""
 _MOST_TO_QUIET = 50_000_000
+"""Largest number of clock cycles in one call until the gateware is idle."""
 MOST_WHILE_TICKING = 256
-"""Clock cycles in which it answers at once while groups run: it never rests then, and the rest comes with time."""
+"""Number of clock cycles for an answer at once while groups are running; the rest of the answer follows with time."""
 _UNLIMITED = ctypes.c_size_t(-1).value
 _BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
 _ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
@@ -53,14 +54,14 @@ class Passage(NamedTuple):
 
     cycles: int
     taken: int
-    """Bytes of those offered."""
+    """Number of offered bytes that the gateway has received."""
     sent: bytes
     flush: bool
-    """True if the gateway asked its medium, at the end, to send at once what it has."""
+    """True if the cycles ended with a flush, which asks the medium to send all bytes at once."""
 
 
 class RtlMemory(MutableMapping[int, int]):
-    """Words behind the gateware by address; what was never written is 0, and 0 counts as not written."""
+    """Words of the gateware's memory by address; initially 0. Iteration skips words that are 0."""
 
     def __init__(self, library: ctypes.CDLL, handle: int, info: GatewayInfo) -> None:
         self._library, self._handle = library, handle
@@ -94,14 +95,14 @@ class RtlMemory(MutableMapping[int, int]):
 
 
 class RtlGateway(BareGateway):
-    """The gateware with plain memory at every address.
+    """Compiled gateware with plain memory at all addresses.
 
     Args:
-        configuration: which build of it; or its name, one of `configurations()`.
+        configuration: a build of the gateware, or the name of one in `configurations()`.
 
     Raises:
-        ArgumentError: for a configuration that there is not.
-        ConnectError: where no C++ compiler is installed.
+        ArgumentError: if there is no such build.
+        ConnectError: if no C++ compiler is installed.
     """
 
     def __init__(self, configuration: str | Configuration = "default") -> None:
@@ -113,8 +114,8 @@ class RtlGateway(BareGateway):
         self._origin: float | None = None
         self._fault: BaseException | None = None
         self._sampled_at = 0.0
-        """Instant at which the first word of the last sample was read."""
-        # The library keeps the address alone: the function must live as long as the gateway.
+        """Time at which the first word of the last sample was read."""
+        # Keep references to the functions: the library stores only their addresses.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
         self._event_function = EventFunction(_event_of(weakref.ref(self)))
@@ -123,43 +124,43 @@ class RtlGateway(BareGateway):
         self._on_alarm: Callable[[], object] = _do_nothing
         self.info = self._ask_for_info(b"" if build.node is None else b"Z%02X" % build.node)
         self._devices = Devices(self.info.address_bits)
-        # In cycles; those of a fraction don't come in whole ones.
+        # In cycles, rounded down.
         self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
         self._memory = RtlMemory(self._library, self._handle, self.info)
         self._pace = ClockPace(build.name, self.info.clock_hz, is_free=build.design is not None)
 
     @property
     def memory(self) -> MutableMapping[int, int]:
-        """The words behind the gateway, by address."""
+        """Words of the gateway's memory, by address."""
         return self._memory
 
     def reset(self) -> None:
-        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        """Restore the state after power-up; memory and devices keep theirs."""
         self._library.ul_reset(self._handle)
         self._origin = None
 
-    # What is behind the bus
+    # The bus
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses; the first is its offset 0.
+        """Attach a device to addresses; the first address has offset 0.
 
         Raises:
-            ArgumentError: for an address that does not fit or has a device, or an object that is no device.
+            ArgumentError: if an address does not fit or has a device, or the object is not a device.
         """
         for address in self._devices.attach(device, addresses):
             self._library.ul_set_behind(self._handle, address, _BEHIND_DEVICE)
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has none, in place of memory; its offsets are the addresses.
+        """Attach a device to all addresses without one, in place of memory; its offsets are the addresses.
 
         Raises:
-            ArgumentError: for an object that is no device.
+            ArgumentError: if the object is not a device.
         """
         self._devices = DevicesEverywhere(self._devices, device, self.info.address_bits)
         self._library.ul_set_only_device(self._handle)
 
     def detach(self, addresses: Iterable[int]) -> None:
-        """Take the devices of addresses away again."""
+        """Detach the devices from addresses."""
         for address in addresses:
             self._devices.pop(address, None)
             self._library.ul_set_behind(self._handle, address, _BEHIND_MEMORY)
@@ -168,32 +169,32 @@ class RtlGateway(BareGateway):
 
     @property
     def cycles(self) -> int:
-        """Clock cycles since the last reset."""
+        """Number of clock cycles since the last reset."""
         return int(self._library.ul_cycles(self._handle))
 
     @property
     def time(self) -> float:
-        """The gateware's time, in seconds of the caller's clock; 0 while that was never told."""
+        """The gateware's time in seconds on the caller's clock; 0 before the first call with a time."""
         return self._time() if self._origin is not None else 0.0
 
     @property
     def flushes(self) -> int:
-        """Number of times the gateware asked its medium to send at once, since the last reset."""
+        """Number of flushes since the last reset."""
         return int(self._library.ul_flushes(self._handle))
 
     @property
     def waiting(self) -> int:
-        """Bytes that wait for room in the receive FIFO."""
+        """Number of bytes that wait for room in the receive FIFO."""
         return int(self._library.ul_waiting(self._handle))
 
     @property
     def leaves_time_out(self) -> bool:
-        """Return whether it leaves out what it is too late for: its clock falls behind then, and no sample is lost."""
+        """True: a late gateway skips time, so that its clock lags behind, and loses no samples."""
         return True
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which `advance` should be called next; None while time makes no difference."""
+        """Time at which `advance` should be called next; None while time has no effect."""
         if self._origin is None:
             return None
         if self._library.ul_available(self._handle):
@@ -201,9 +202,10 @@ class RtlGateway(BareGateway):
         return self._time() + SLICE if self.ticking or self._is_held_up else None
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now` (seconds), and return what is sent until the gateway has nothing left to do.
+        """Process bytes received at the time `now` in seconds, and return the bytes sent until the gateway is idle.
 
-        While it is `ticking` it always has: then that is what it sends in a few cycles, and the rest comes with time.
+        While the gateway is `ticking` it is never idle: the result then has the bytes sent in a few cycles, and further
+        bytes follow with time.
         """
         self._pass_time(now)
         self._library.ul_push(self._handle, data, len(data))
@@ -212,7 +214,7 @@ class RtlGateway(BareGateway):
         return self._pull()
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass up to `now` (seconds), and return what was sent, as far as there is `room`."""
+        """Advance to the time `now` in seconds, and return the bytes to send, at most `room`."""
         self._library.ul_set_room(self._handle, _UNLIMITED if room is None else room)
         self._pass_time(now)
         if self._is_held_up:
@@ -221,11 +223,11 @@ class RtlGateway(BareGateway):
         return self._pull()
 
     def overflow(self) -> None:
-        """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
+        """Lose bytes before the next received byte: the gateway answers their frame with error 09."""
         self._library.ul_lose(self._handle)
 
     def trigger(self, now: float, group: int | None = None) -> None:
-        """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""
+        """Apply a rising edge to the external trigger of a group, or of all; the next call returns the samples."""
         self._pass_time(now)
         self._library.ul_choose_trigger(self._handle, -1 if group is None else group)
         for level in (1, 0):
@@ -235,63 +237,64 @@ class RtlGateway(BareGateway):
         self.wake()
 
     def ticks_at(self, now: float) -> int:
-        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+        """Return the number of clock cycles from the gateway's reset to the time of an access in seconds."""
         return self.cycles + (0 if self._origin is None else round((now - self._time()) * self.info.clock_hz))
 
     # The ports of a whole design
 
     @functools.cached_property
     def ports(self) -> Mapping[str, Port]:
-        """Ports of a whole design but for clock, reset, medium and triggers, by name; none of a gateway alone."""
+        """Ports of a whole design, except clock, reset, medium and triggers, by name; empty for a gateway alone."""
         ports = (
             Port(self, self._library, self._handle, index) for index in range(self._library.ul_ports(self._handle))
         )
         return {port.name: port for port in ports}
 
     def watch(self, function: Callable[[], object], first: Port, second: Port | None = None) -> None:
-        """Call a function in each clock cycle in which the lowest bits of a port, or of two, are '1'.
+        """Call a function in each clock cycle in which the lowest bit of a port, or of both ports, is '1'.
 
-        It sees all outputs of that cycle; inputs that it sets are seen by the next one.
+        The function sees the outputs of that cycle; inputs that it sets take effect in the next cycle.
         """
         self._watchers.append(function)
         self._library.ul_watch(self._handle, first.index, _NO_PORT if second is None else second.index)
 
     def call_before(self, cycle: int, function: Callable[[], object]) -> None:
-        """Call a function before a clock cycle that is worked out, or the first one behind it; the last call counts.
+        """Call a function before a clock cycle, or before the next computed cycle if that cycle is skipped.
 
-        It sees the inputs that the function sets. Such a call alone is no reason to work out a cycle.
+        Inputs that the function sets take effect in this cycle. The call does not cause a cycle to be computed. Only
+        the last scheduled call is made.
         """
         self._on_alarm = function
         self._library.ul_set_alarm(self._handle, cycle)
 
     def pulse(self, group: int) -> None:
-        """Apply a rising edge to the external trigger of a group in the next clock cycle that is worked out."""
+        """Apply a rising edge to the external trigger of a group in the next computed clock cycle."""
         self._library.ul_pulse(self._handle, group, _TRIGGER_CYCLES)
 
     def keep_awake(self, *, on: bool) -> None:
-        """Make each clock cycle count although no byte is under way, as something moves by itself, or end that."""
+        """Compute each clock cycle even if no bytes are pending, because hardware moves by itself; False ends that."""
         self._library.ul_never_rests(self._handle, on)
 
     # At the pins
 
     @property
     def ticking(self) -> bool:
-        """Return whether something happens with time although no byte is under way, as periodic groups are running."""
+        """True if each clock cycle matters even if no bytes are pending, for example because a periodic group runs."""
         return bool(self._library.ul_ticking(self._handle))
 
     def set_pace(self, bytes_per_second: float) -> None:
-        """Set the pace of bytes at the medium, in both directions, from now on."""
+        """Set the rate of the medium for both directions from now on."""
         self._library.ul_set_pace(self._handle, self.info.clock_hz / bytes_per_second)
 
     def pass_pins(self, offered: bytes, cycles: int, room: int) -> Passage:
-        """Let cycles pass while a medium offers bytes and has room for some: what a FIFO at the pins sees.
+        """Run clock cycles while a FIFO at the pins offers bytes and has room for bytes.
 
-        It ends early behind a flush, and when nothing moves any more; not that, though, while `ticking`.
+        The run ends early after a flush, and when no bytes move any more unless the gateway is `ticking`.
 
         Args:
-            offered: what the medium has for the gateway; what is not taken is to be offered again.
-            cycles: at most so many pass.
-            room: bytes that the medium takes.
+            offered: bytes for the gateway; offer the bytes that it has not received again.
+            cycles: largest number of cycles.
+            room: number of bytes that the FIFO accepts.
         """
         library, handle = self._library, self._handle
         library.ul_push(handle, offered, len(offered))
@@ -305,7 +308,7 @@ class RtlGateway(BareGateway):
         return Passage(passed, taken, self._pull(), self.flushes != flushes)
 
     def run(self, cycles: int) -> bytes:
-        """Let exactly so many clock cycles pass, and return what was sent."""
+        """Run a number of clock cycles, and return the bytes to send."""
         self._run(cycles)
         return self._pull()
 
@@ -324,16 +327,16 @@ class RtlGateway(BareGateway):
 
     @property
     def _is_held_up(self) -> bool:
-        """Return whether bytes wait for room, on their way in or out."""
+        """True if bytes wait for room in either direction."""
         return self.waiting > 0 or bool(self._library.ul_stalled(self._handle))
 
     def _time(self) -> float:
-        """The gateway's time in the caller's seconds."""
+        """Return the gateware's time in seconds on the caller's clock."""
         assert self._origin is not None
         return self._origin + self.cycles / self.info.clock_hz
 
     def _pass_time(self, now: float) -> None:
-        """Let cycles pass up to `now`, or skip those in which nothing can happen."""
+        """Run cycles up to the time `now`, or skip cycles without effect."""
         if self._origin is None:
             self._origin = now - self.cycles / self.info.clock_hz
         missing = max(0, round((now - self._time()) * self.info.clock_hz))
@@ -363,7 +366,7 @@ class RtlGateway(BareGateway):
         return buffer.raw
 
     def _access(self, address: int, word: int | None) -> int:
-        """Let a device answer one access; return the word read."""
+        """Pass an access to a device; return the word that was read, or 0 for a write."""
         now = self._instant()
         if word is None:
             return self._devices.read(address, now) & (1 << self.info.data_bits) - 1
@@ -371,7 +374,7 @@ class RtlGateway(BareGateway):
         return 0
 
     def _instant(self) -> float:
-        """Return the time of an access; all words of a sample are of the instant of its first."""
+        """Return the time of an access; all words of a sample have the time of its first word."""
         now = self.time
         word_of_sample = int(self._library.ul_sample_word(self._handle))
         if word_of_sample < 0:
@@ -381,7 +384,7 @@ class RtlGateway(BareGateway):
         return self._sampled_at
 
     def _raise_fault(self) -> None:
-        """Raise what a device raised while cycles passed: no exception gets through the C++ in between."""
+        """Raise an exception that a callback raised in the library, because exceptions cannot pass through the C++."""
         fault, self._fault = self._fault, None
         if fault is not None:
             raise fault
@@ -392,7 +395,7 @@ class RtlGateway(BareGateway):
                 self._on_alarm()
             else:
                 self._watchers[watch]()
-        except BaseException as fault:  # noqa: BLE001  (kept, and raised where the call came from)
+        except BaseException as fault:  # noqa: BLE001  (raised again by `_raise_fault`)
             self._fault = fault
 
     def _answer_access(self, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
@@ -400,7 +403,7 @@ class RtlGateway(BareGateway):
             read = self._access(address, int(word[0]) if write else None)
         except AccessError as refusal:
             return _ANSWERS[refusal.code]
-        except BaseException as fault:  # noqa: BLE001  (kept, and raised where the call came from)
+        except BaseException as fault:  # noqa: BLE001  (raised again by `_raise_fault`)
             self._fault = fault
             return _ANSWERS[ErrorCode.BUS_ERROR]
         if not write:
@@ -411,7 +414,7 @@ class RtlGateway(BareGateway):
 def _device_of(
     gateway: weakref.ref[RtlGateway],
 ) -> Callable[[int | None, int, int, ctypes._Pointer[ctypes.c_uint64]], int]:
-    """Return the function that the library calls; it holds the gateway weakly, which holds it."""
+    """Return the library's callback for accesses; it has a weak reference to the gateway, which refers to it."""
 
     def answer(_context: int | None, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
         behind = gateway()
@@ -421,7 +424,7 @@ def _device_of(
 
 
 def _event_of(gateway: weakref.ref[RtlGateway]) -> Callable[[int | None, int], None]:
-    """Return the function that the library calls in an event; it holds the gateway weakly, as `_device_of`."""
+    """Return the library's callback for events, with a weak reference to the gateway as in `_device_of`."""
 
     def answer(_context: int | None, watch: int) -> None:
         behind = gateway()
@@ -432,4 +435,4 @@ def _event_of(gateway: weakref.ref[RtlGateway]) -> Callable[[int | None, int], N
 
 
 def _do_nothing() -> None:
-    """Stand in for `wake` where no clock drives the gateway."""
+    """Do nothing; the default of `wake`."""

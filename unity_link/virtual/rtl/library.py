@@ -1,4 +1,4 @@
-"""Loads the compiled gateware: the C interface of `shim.cc`, with the types of its arguments."""
+"""Loads the compiled gateware, and declares the C interface of `shim.cc`."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from ctypes import POINTER, c_double, c_int, c_int64, c_size_t, c_uint8, c_uint3
 
 from unity_link.errors import ConnectError
 from unity_link.virtual.rtl.compiling import compiled
-from unity_link.virtual.rtl.configurations import Configuration  # noqa: TC001  (the cache is of calls with it)
+from unity_link.virtual.rtl.configurations import Configuration  # noqa: TC001  (the argument of a cached function)
 
 DeviceFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, POINTER(c_uint64))
-"""`Device` of shim.cc: context, address, whether it is a write, the word; gives an Answer."""
+"""`Device` of shim.cc: context, address, whether it is a write, word; returns an Answer."""
 
 
 class Reply(ctypes.Structure):
-    """`Reply` of shim.cc: the word, cycles after the strobe, and an Answer."""
+    """`Reply` of shim.cc: word, cycles after the strobe, and an Answer."""
 
     _fields_ = (("word", c_uint64), ("after", c_uint32), ("answer", c_uint32))
 
 
 SlaveFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, c_uint64, POINTER(Reply))
-"""`Slave` of shim.cc: context, address, whether it is a write, the word written, replies; gives how many these are."""
+"""`Slave` of shim.cc: context, address, whether it is a write, written word, replies; returns the number of replies."""
 
 EventFunction = ctypes.CFUNCTYPE(None, c_void_p, c_int)
-"""`Event` of shim.cc: context, and the number of a watch, or negative."""
+"""`Event` of shim.cc: context, and number of a watch, or negative for the alarm."""
 
 _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_create": (c_void_p, ()),
@@ -81,11 +81,11 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
 
 @functools.cache
 def load(configuration: Configuration) -> ctypes.CDLL:
-    """Return the library of one configuration, compiled if need be.
+    """Return the library of a configuration; compile it if the cache does not have it.
 
     Raises:
-        ArgumentError: where this installation does not have its C++.
-        ConnectError: where no C++ compiler is installed, or it fails, or what it made cannot be kept or loaded.
+        ArgumentError: if this installation does not have the C++ of the configuration.
+        ConnectError: if no C++ compiler is installed, the compiler fails, or the library cannot be stored or loaded.
     """
     path = compiled(configuration)
     try:

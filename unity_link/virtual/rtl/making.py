@@ -1,8 +1,8 @@
-"""The gateware as C++: VHDL goes to Verilog by GHDL, and to C++ by Yosys' CXXRTL.
+"""Makes C++ from the gateware: GHDL converts VHDL to Verilog, and Yosys' CXXRTL converts Verilog to C++.
 
-An installation has the C++ of some configurations, and needs no tools for these; `python -m gateware.tools.model` makes
-it. That of a spec, which is a whole design with a register bank, is made where it is wanted, in a process of its own,
-which can be ended.
+An installation has the C++ of some configurations, made by `python -m gateware.tools.model`, and needs no tools for
+them. The C++ of a spec, which is a whole design with a register bank, is made at first use, in a separate process that
+can be ended.
 """
 
 from __future__ import annotations
@@ -30,10 +30,10 @@ if TYPE_CHECKING:
 
 TOP = "unity_link_fifo"
 
-# Lines of comments, which name places in files that nobody has, are half of what Yosys writes.
+# Comment lines are half of Yosys' output, and name places in temporary files.
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
 
-# Registers of groups that shim.cc looks into, by their names in VHDL: it skips time in which no group runs, and tells
+# Registers of groups that shim.cc reads, by their names in VHDL: it skips time while no group runs, and distinguishes
 # accesses of samples from those of requests.
 _REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.running": "UL_RUNNING",
@@ -49,30 +49,31 @@ _CASE = re.compile(
     r" +default: (?P<default>.*;)\n +endcase\n",
     re.MULTILINE,
 )
-# In a whole design: accesses of its own bus that are not answered yet, and the clock, where timestamps need it.
+# Registers of a whole design: pending accesses on its bus, and the timestamp, which exists only if it is used.
 _REGISTERS_OF_DESIGNS = {"wishbone_master_inst.with_pipeline_owed": "UL_OWED", "core_inst.timestamp": "UL_TIMESTAMP"}
 _PORT = re.compile(r"^\s*(input|output) +(?:reg +)?(?:signed +)?(?:\[\d+:0\] *)?\\?(\w+)", re.MULTILINE)
-# Ports of a whole design that shim.cc drives itself.
+# Ports of a whole design that shim.cc drives or reads itself.
 _DRIVEN = frozenset(
     ("clk", "rst", "in_data", "in_lost", "in_valid", "in_ready", "out_data", "out_valid", "out_ready", "out_flush")
 ) | {"trigger"}
 _MEMORY = re.compile(r"\bmemory_p_\w*timer__inst_2e_divisors\b")
 _COMMENT = re.compile(r"--.*")
-# What a register without a VHDL name of its own is called, and a memory's output.
+# GHDL's names for registers without a VHDL name, and for outputs of memories.
 _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
-# GHDL counts its nets through the whole design. Counted from the first of their instance, those of an instance that is
-# the same in two configurations have the same names, and the archive needs its text once.
+# GHDL numbers its nets through the whole design. Renumbered from the first net of each instance, the nets of an
+# instance that is the same in two configurations have the same names, and the archive stores its text only once.
 _NET = re.compile(r"\b(p_(?:\w+_2e_)?n)(\d+)(?=__)")
 _FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS_OF_GROUPS} {_SIGNALS} {_NET.pattern}"
 
-# `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
-# none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
+# `splitnets -driver` divides buses into the parts that have the same driver: otherwise CXXRTL finds feedback that does
+# not exist. Enables and resets of registers stay logic (`-nodffe -nosdff`): if they were inferred, CXXRTL would find
+# feedback again.
 PASSES = (
     "hierarchy -top {top}; proc; flatten; opt_expr; opt_clean; opt -nodffe -nosdff; wreduce; peepopt; opt_clean; "
     "opt -nodffe -nosdff; memory_collect; splitnets -driver; opt_clean -purge; write_cxxrtl -O6 -g0 {out}"
 )
-# For a `|` of many bits CXXRTL puts a vector of these together, and a compiler takes a time that grows faster than with
-# their square: minutes, where a register bank has hundreds of addresses with the same answer.
+# CXXRTL concatenates the operands of a wide `|`, and the time of the C++ compiler grows faster than with the square of
+# their number: to minutes for a register bank in which hundreds of addresses have the same answer.
 _SPLIT = r"""
 (* techmap_celltype = "$reduce_or $reduce_bool" *)
 module of_half (A, Y);
@@ -89,17 +90,17 @@ module of_half (A, Y);
 endmodule
 """
 _SPLITTING = "techmap -map split.v; write_cxxrtl"
-# If a part of a product is used, `opt` connects bits of its wire with others of the same wire: that is feedback until
-# the wire is split.
+# If only a part of a product is used, `opt` connects bits of a wire with other bits of the same wire. CXXRTL finds
+# feedback until the wire is split.
 _SPLITTING_OWN = f"splitnets -driver; opt_clean -purge; {_SPLITTING}"
 _FEEDBACK = "feedback wires"
-"""Warning that is expected of a user's files: logic through the bits of a vector is evaluated until it is at rest."""
+"""Warning that is expected for a user's files: logic through the bits of a vector is evaluated until it is stable."""
 _NOTHING = "(?!)"
 _HAS_FEEDBACK = "\tbool converged = false;"
 
 
 def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
-    """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
+    """Return a hash of all inputs of a configuration's C++: sources, generics and passes."""
     given = [f"{key}={value}" for key, value in sorted(generics.items())]
     texts = () if design is None else tuple(text for _, text in (*design.own, *design.sources))
     gateware = (source.read_bytes() for source in sources_for(TOP, texts))
@@ -112,7 +113,7 @@ def _parts(design: Design | None) -> Iterator[str]:
         yield f"{_SPLIT} {_SPLITTING_OWN if design.own else _SPLITTING}"
         yield str(design.masters)
         yield from (_COMMENT.sub("", text) for _, text in (*design.own, *design.sources))
-        # A design that was not compared is none that was.
+        # A comparison must not be skipped because the same design was made unchecked before.
         yield "unchecked" if design.own and design.unchecked else ""
 
 
@@ -120,15 +121,15 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
     """Return the C++ of one configuration, and the warnings about a user's files.
 
     Args:
-        name: of the configuration.
-        generics: of the gateway, where it stands alone.
-        design: the whole design in place of that.
+        name: name of the configuration.
+        generics: generics of a gateway alone.
+        design: a whole design; None for a gateway alone.
 
     Raises:
         ConversionError: if a tool refuses the sources.
-        ToolMissingError: if a tool is not there.
+        ToolMissingError: if a tool is not installed.
     """
-    # GHDL takes vectors of 32 bits in binary.
+    # GHDL expects the values of vectors in binary.
     given = {
         key: f"{value:032b}" if key in ("crc_polynomial", "build_id") else value for key, value in generics.items()
     }
@@ -160,18 +161,19 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
 
 
 def _with_own(folder: Path, design: Design) -> tuple[str, tuple[str, ...]]:
-    """Return the Verilog of a design with files of a user's, and the warnings about these.
+    """Return the Verilog of a design with a user's files, and the warnings about these files.
 
     Raises:
-        ConversionError: as `convert_own`; or if a register takes falling edges, which shim.cc has none of.
+        ConversionError: as for `convert_own`, or if a register uses falling clock edges, which shim.cc does not
+            support.
     """
     own = own_of(None, [OwnFile(Path(name), text.encode()) for name, text in design.own])
     generated = _written(folder, design)
     converted = convert_own(own._replace(unchecked=design.unchecked), {}, generated, None, design.top, design.instances)
     if "@(negedge " in converted.verilog:
         raise ConversionError(
-            f"{', '.join(name for name, _ in design.own)}: a register takes falling edges of a clock, and rtl: has "
-            "rising ones alone"
+            f"{', '.join(name for name, _ in design.own)}: a register uses falling edges of a clock, and rtl: "
+            "supports rising edges only"
         )
     return converted.verilog, converted.remarks
 
@@ -184,7 +186,7 @@ def _written(folder: Path, design: Design) -> list[Path]:
 
 
 def _frame_of(design: Design | None, verilog: str, text: str) -> str:
-    """Return macros that name the top of a whole design, its ports, and its Wishbone masters."""
+    """Return C++ macros for the top of a whole design, its ports, and its Wishbone masters."""
     if design is None:
         return ""
     head = re.search(rf"^module {design.top}\b.*?;$", verilog, re.MULTILINE | re.DOTALL)
@@ -207,16 +209,16 @@ def _frame_of(design: Design | None, verilog: str, text: str) -> str:
 
 
 def _member(name: str) -> str:
-    """Return the name in C++ of a top, or of one of its ports."""
+    """Return the C++ name of a top or a port."""
     return "p_" + name.replace("_", "__")
 
 
 def _with_choices(verilog: str) -> str:
-    """Return GHDL's Verilog with each choice of a `case` by its own bit.
+    """Return GHDL's Verilog with a `case` that tests the bit of each choice.
 
-    GHDL compares what is chosen by with each choice, of which one at most is met, and then a vector of all these bits
-    with a word for each choice. CXXRTL would put that vector together for each comparison, with as many bits as there
-    are choices: in the `case` of a register bank's addresses, that takes minutes to compile.
+    GHDL writes a `case` as a comparison for each choice, and compares a vector of all results with a one-hot constant
+    for each choice. CXXRTL would build this vector again for each choice. For the addresses of a register bank the C++
+    would then take minutes to compile.
     """
     return _CASE.sub(_by_bits, verilog)
 
@@ -227,7 +229,7 @@ def _by_bits(case: re.Match[str]) -> str:
     width = len(choices[0][0])
     if any(bits.count("1") != 1 or len(bits) != width for bits, _ in choices):
         return case[0]
-    # What the default says as well needs no choice.
+    # Choices with the statement of the default can be omitted.
     places = [
         ("" if width == 1 else f"[{width - 1 - bits.index('1')}]", said) for bits, said in choices if said != default
     ]
@@ -239,7 +241,7 @@ def _by_bits(case: re.Match[str]) -> str:
 
 
 def _counted_anew(text: str) -> str:
-    """Return the C++ with the nets of each instance counted from its first."""
+    """Return the C++ with the nets of each instance renumbered from its first net."""
     first: dict[str, int] = {}
     for instance, number in _NET.findall(text):
         first[instance] = min(first.get(instance, int(number)), int(number))
@@ -247,10 +249,10 @@ def _counted_anew(text: str) -> str:
 
 
 def _names(verilog: str, text: str) -> str:
-    """Return macros that name members of the C++: all of its signals for a waveform, and its registers.
+    """Return C++ macros for the signals in a waveform, and for the registers that shim.cc reads.
 
     Raises:
-        ConversionError: if one of the registers cannot be found again.
+        ConversionError: if one of the registers is not found.
     """
     signals = _signals(verilog, text)
     rows = "".join(f' \\\n\tsignal("{name}", {member})' for name, member in sorted(signals.items()))
@@ -262,7 +264,7 @@ def _names(verilog: str, text: str) -> str:
 
 
 def _register(signals: Mapping[str, str], register: str) -> str:
-    """Return the member that is a register, by the end of its place and name in VHDL."""
+    """Return the C++ member of a register, by the end of its hierarchical name in VHDL."""
     members = [member for name, member in signals.items() if name.endswith(register)]
     if len(members) != 1:
         raise ConversionError(f"{register} is {members} in C++: one was expected")
@@ -270,9 +272,10 @@ def _register(signals: Mapping[str, str], register: str) -> str:
 
 
 def _signals(verilog: str, text: str) -> dict[str, str]:
-    """Return the members of the C++ that are signals, by their places and names in VHDL.
+    """Return the C++ members that are signals, by their hierarchical names in VHDL.
 
-    GHDL gives a register the name of its flip-flops' outputs, which Yosys keeps, and says beside which signal that is.
+    GHDL names a register after the outputs of its flip-flops, and Yosys keeps this name. A comment in GHDL's Verilog
+    has the name of the signal.
     """
     aliases = re.findall(r"assign (\w+) = (n\d+_\w+); // ?\((?:signal|module output)\)", verilog)
     by_output = {output: name for name, output in reversed(aliases)}
@@ -286,7 +289,7 @@ def _signals(verilog: str, text: str) -> dict[str, str]:
 
 
 def main() -> int:
-    """Make the C++ of a configuration in a file of JSON, and write it into another one; returns the exit status."""
+    """Read a configuration from a JSON file, and write its C++ into another file; return the exit status."""
     wanted, path = sys.argv[1:]
     configuration = msgspec.json.decode(Path(wanted).read_bytes(), type=Configuration)
     try:

@@ -1,4 +1,4 @@
-"""The pace at which a machine works out clock cycles, compared with that of time."""
+"""Compares the rate at which a machine computes clock cycles with real time."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ import logging
 
 _LOG = logging.getLogger("unity_link.rtl")
 WINDOW = 2.0
-"""Seconds over which both are compared."""
+"""Length of a comparison in seconds."""
 MOST_LEFT_OUT = 0.05
-"""Part of these that may be left out: a busy machine is late at times."""
+"""Fraction of the time that may be skipped without a warning, because a busy machine is sometimes late."""
 LEAST_WORKED = 0.5
-"""Part of these that was spent on cycles where they are what takes too long."""
+"""Fraction of the time that must be spent on cycles for a warning; otherwise other work is the reason for the delay."""
 
 
 class ClockPace:
-    """Watches a gateway that leaves time out, and says once that it is too slow for its clock.
+    """Logs one warning if a gateway that skips time is too slow for its clock.
 
     Args:
-        name: of the gateway.
-        clock_hz: its frequency.
-        is_free: whether a URL can name another clock.
+        name: name of the gateway.
+        clock_hz: clock frequency of the gateway in Hz.
+        is_free: True if a URL can select another clock frequency.
     """
 
     def __init__(self, name: str, clock_hz: int, *, is_free: bool) -> None:
@@ -29,13 +29,13 @@ class ClockPace:
         self._cycles, self._worked, self._left_out = 0, 0.0, 0.0
 
     def add(self, now: float, cycles: int, worked: float, left_out: float) -> None:
-        """Take a turn of the gateway.
+        """Record a turn of the gateway.
 
         Args:
-            now: the instant in seconds up to which time has passed.
-            cycles: that were worked out.
-            worked: seconds which that took.
-            left_out: seconds that were left out.
+            now: time in seconds at the end of the turn.
+            cycles: number of computed cycles.
+            worked: seconds of real time for these cycles.
+            left_out: skipped seconds.
         """
         if self._is_told:
             return
@@ -55,7 +55,7 @@ class ClockPace:
         self._is_told = True
         advice = ""
         if self._is_free:
-            # Half of what it does, so that the rest of the program has its time.
+            # Advise half of the possible clock frequency, so that the program has time for other work.
             wanted = f"{self._cycles / self._worked / 2:.0e}"
             advice = f"; clock_hz={float(wanted):.0f} in the URL gives it a clock that this machine keeps pace with"
         _LOG.warning(

@@ -1,7 +1,7 @@
-"""Ports of a whole design: what a model of the plant sees of it, and drives.
+"""Ports of a whole design, which a model of the plant reads and drives.
 
-What a port has stands in the memory of the compiled gateware, so a look at an output, and setting an input, take no
-call. An output is as of the last clock cycle; an input is what the next one sees, unless a later cycle is named.
+The values of ports are read and written directly in the memory of the compiled gateware, without a call. An output has
+its value of the last clock cycle. A value of an input takes effect in the next cycle, or in a given later one.
 """
 
 from __future__ import annotations
@@ -13,36 +13,36 @@ from unity_link.errors import ArgumentError
 
 
 class Counts(NamedTuple):
-    """Counts of a bit of a port in the clock cycles since they were taken last."""
+    """Counts of one bit of a port over clock cycles."""
 
     high: int
-    """Cycles in which it was '1'."""
+    """Number of cycles in which the bit was '1'."""
     edges: int
-    """Cycles in which it was not what it was in the one before."""
+    """Number of cycles in which the bit differed from the cycle before."""
 
 
 class Port:
     """A port at the top of a design.
 
     Args:
-        gateway: that has it, and lives as long as the port.
-        library: of the gateway.
-        handle: of the gateway.
-        index: of the port.
+        gateway: the gateway of the port.
+        library: the gateway's library.
+        handle: the gateway's handle in the library.
+        index: number of the port.
     """
 
     def __init__(self, gateway: object, library: ctypes.CDLL, handle: int, index: int) -> None:
-        # The words are the gateway's.
+        # Keep a reference, because the port's words are in the gateway's memory.
         self._gateway = gateway
         self._library, self._handle, self.index = library, handle, index
         self.name = str(library.ul_port_name(handle, index).decode())
         self.is_input = bool(library.ul_port_is_input(handle, index))
         self.width = int(library.ul_port_bits(handle, index))
-        """Bits."""
+        """Width in bits."""
         words = ctypes.c_uint32 * -(-self.width // 32)
         self._words = memoryview(words.from_address(library.ul_port_data(handle, index))).cast("B")
         self._totals: list[Counts] | None = None
-        """All counts; None until somebody wants them."""
+        """Counts of each bit since the first call of `counts`; None before it."""
         self._own: list[Counts] = []
 
     def __repr__(self) -> str:
@@ -55,15 +55,14 @@ class Port:
         return int.from_bytes(self._words, "little")
 
     def drive(self, value: int, cycle: int | None = None) -> None:
-        """Set an input, which stays so.
+        """Set an input, which keeps its value until it is set again.
 
         Args:
             value: the bits as an unsigned number.
-            cycle: the first clock cycle that sees it, counted as `RtlGateway.cycles`; None, or one that has passed:
-                the next one.
+            cycle: first clock cycle with the value, as in `RtlGateway.cycles`; None or a past cycle for the next cycle.
 
         Raises:
-            ArgumentError: for an output, and for a value that does not fit.
+            ArgumentError: if the port is an output, or the value does not fit.
         """
         if not self.is_input:
             raise ArgumentError(f"{self.name} is an output of the gateware: an input was expected")
@@ -77,7 +76,7 @@ class Port:
             self._library.ul_set_at(self._handle, max(0, cycle), self.index, words)
 
     def take_counts(self) -> list[Counts]:
-        """Return the counts of each bit, the lowest first, since the last call; the first call begins to count."""
+        """Return the counts of each bit, lowest first, since the last call; the first call starts counting."""
         before, self._own = self._own, self.counts()
         if not before:
             return [Counts(0, 0)] * self.width
@@ -86,15 +85,15 @@ class Port:
         ]
 
     def steps(self, direction: Port) -> int:
-        """Return the pulses of the lowest bit since the reset, or the first call: those up less those down.
+        """Return the pulses of the lowest bit since the reset or the first call: those up minus those down.
 
         Args:
-            direction: whose lowest bit is '1' at the beginning of one that goes down.
+            direction: port whose lowest bit is '1' at the beginning of pulses that count down.
         """
         return int(self._library.ul_steps(self._handle, self.index, direction.index))
 
     def counts(self) -> list[Counts]:
-        """Return the counts of each bit, the lowest first, since the first call."""
+        """Return the counts of each bit, lowest first, since the first call."""
         if self._totals is None:
             self._totals = [Counts(0, 0)] * self.width
             self._library.ul_count(self._handle, self.index)

@@ -1,10 +1,10 @@
-"""Plays what a host sent, as a snoop has it, into the compiled gateware, and compares what comes out.
+"""Runs a recorded session on the compiled gateware, and compares the answers and samples with the recorded ones.
 
-The bus answers what was recorded: reads of requests in the order of the answers, those of samples by the group and the
-number of the sample. Time is that of the snoop: a frame is sent at its time, cycles pass while something is under way
-or groups are running, and otherwise the time is set forward. As the ticks of the two gateways do not fall at the same
-instants, samples are compared group by group, and no command that divides samples goes ahead of one that was recorded
-before it; nor do groups run further than they did.
+The bus returns the recorded words: for requests in the order of the answers, and for samples by group and number of the
+sample. Time is that of the snoop: each frame is sent at its recorded time. Cycles are computed while bytes are pending
+or groups are running; otherwise the clock is set forward. The ticks of the two gateways are at different times;
+therefore samples are compared separately for each group. A command that divides samples is sent only after the samples
+that were recorded before it, and groups run no further than in the recording.
 """
 
 from __future__ import annotations
@@ -36,40 +36,41 @@ if TYPE_CHECKING:
     from unity_link.virtual.rtl.snooped import Snooped, SnoopedAccess, SnoopedGroup
 
 _SHAPE = ("protocol_version", "data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial")
-"""Parameters that the form of the frames depends on."""
+"""Fields of `GatewayInfo` on which the form of frames depends."""
 _MOST_CYCLES = 2_000_000
-"""Within these everything that was asked for is answered, even if each access of a block runs into its time out."""
+"""Number of cycles in which all pending requests are answered, even if each access of a block times out."""
 _PIECE = 64
 _WAVEFORM = b"$version unity-link retrace $end"
-"""First lines of a waveform."""
+"""Beginning of a waveform file."""
 _FARTHEST = 1024
-"""So many accesses are looked through for one that was recorded."""
+"""Largest number of recorded accesses that are searched for a matching one."""
 
 
 class Difference(NamedTuple):
-    """Place at which the retraced gateway answered otherwise."""
+    """An answer or a sample that differs from the recorded one."""
 
     time: float
-    """Seconds, as `explain` shows them."""
+    """Time in seconds, as in the output of `explain`."""
     sent: bytes
-    """Bytes that it answers; nothing for a sample."""
+    """The request that is answered; empty for a sample."""
     recorded: bytes
     retraced: bytes
-    """Nothing where nothing came."""
+    """Bytes of the retraced gateway; empty if it sent none."""
 
 
 class Report(msgspec.Struct):
     """Result of a comparison."""
 
     answers: int = 0
-    """Compared ones."""
+    """Number of compared answers."""
     unknown: int = 0
-    """Those of which the snoop has none, or a damaged one."""
+    """Number of answers that the snoop does not have, or has only damaged."""
     samples: int = 0
+    """Number of compared samples."""
     triggered: int = 0
-    """Samples by external triggers, which a snoop does not have."""
+    """Number of samples by external triggers, which cannot be compared because a snoop does not record triggers."""
     seconds: float = 0.0
-    """Seconds played, on the clock of the snoop."""
+    """Length of the recording in seconds."""
     differences: int = 0
     first: Difference | None = None
 
@@ -81,10 +82,10 @@ class Report(msgspec.Struct):
 
 
 def fitting(snooped: Snooped) -> Configuration:
-    """Return the build of the gateware that is most like the recorded one.
+    """Return the build of the gateware that is most similar to the recorded gateway.
 
     Raises:
-        ArgumentError: where none has its widths.
+        ArgumentError: if no build has the widths of the recorded gateway.
     """
     info = snooped.info
     fits = [
@@ -105,18 +106,18 @@ def differing(one: GatewayInfo, other: GatewayInfo) -> list[str]:
 
 
 class Retrace(RtlGateway):
-    """The gateware, in the place of a gateway that was recorded.
+    """Compiled gateware that replaces a recorded gateway.
 
     Args:
-        snooped: what was recorded.
-        build: a configuration with its widths.
+        snooped: the recorded gateway.
+        build: a build with the widths of the recorded gateway.
 
     Raises:
-        ConnectError: where no C++ compiler is installed.
+        ConnectError: if no C++ compiler is installed.
     """
 
     _window: tuple[float, float] | None = None
-    """Instants at which the waveform begins and ends, in nanoseconds."""
+    """Begin and end of the waveform in nanoseconds; None for no waveform."""
 
     def __init__(self, snooped: Snooped, build: Configuration) -> None:
         super().__init__(build.name)
@@ -126,29 +127,29 @@ class Retrace(RtlGateway):
         self._codec = Codec(self.info, build.node)
         self._overheard = ObservedSession(self._codec.framing)
         self._same = not differing(self.info, snooped.info)
-        # In step with the groups: where the clocks differ, a base tick takes as long as it did.
+        # Even if the clocks differ, a base tick must take the recorded time, so that groups keep their rates.
         self._cycle_ns = 1e12 / (snooped.info.base_frequency_millihertz or 1) / self._base_tick
         self._accesses: deque[SnoopedAccess] = deque()
         self._owed: deque[SnoopedFrame] = deque()
         self._words: dict[int, int] = {}
-        """Words read from and written to addresses last."""
+        """The last word that was read or written, by address."""
         self._cutter = FrameCutter(sent=False)
         self._cutter.use(self.info)
         self._settings: dict[int, SnoopedGroup] = {}
         self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
-        """Index of each group's present settings."""
+        """Index of each group's current settings."""
         self._sampled: dict[int, int] = {}
-        """The number of the last sample of each group."""
+        """Number of the last sample of each group."""
         self._silent_at = -1
-        """The cycle in which an access was left without an answer."""
+        """Cycle in which an access last timed out."""
         self._given: dict[int, tuple[int, list[int]]] = {}
-        """The number and the words of the last sample of each group that was taken."""
+        """Number and words of the last sample that the bus provided, by group."""
         self._given_up: set[int] = set()
-        """Groups that did not come as far as they should."""
+        """Groups that did not take all expected samples."""
         self._set_time(0.0)
 
     def play(self) -> Report:
-        """Play all of it, and return what was found."""
+        """Run the whole recording, and return the result of the comparison."""
         steps = self._snooped.steps
         bounds = self._bounds()
         for step, bound in zip(steps, bounds, strict=False):
@@ -165,11 +166,17 @@ class Retrace(RtlGateway):
         return self.report
 
     def play_into(self, path: Path, begin: float, end: float, *, overwrite: Overwrite = False) -> Report:
-        """Play all of it, and write a waveform of what happens between two times in seconds; return what was found.
+        """Run the whole recording, and write a waveform of a part of it; return the result of the comparison.
+
+        Args:
+            path: path of the waveform.
+            begin: begin of the waveform in seconds.
+            end: end of the waveform in seconds.
+            overwrite: True if a file that is no such waveform may be replaced.
 
         Raises:
-            ArgumentError: where the file can't be made, or one that is no such waveform is in its way.
-            ConnectError: where it could not be written.
+            ArgumentError: if the file cannot be created, or exists and is not such a waveform.
+            ConnectError: if writing fails.
         """
         self._window = begin * 1e9, end * 1e9
         if is_device(path):
@@ -192,7 +199,7 @@ class Retrace(RtlGateway):
         return report
 
     def _bounds(self) -> list[dict[int, int]]:
-        """Bounds before each step and behind the last: samples up to which groups may run undivided."""
+        """Return the samples up to which each group may run, before each step and after the last step."""
         bound = {group: settings[-1].last for group, settings in self._snooped.groups.items()}
         bounds = [bound]
         for step in reversed(self._snooped.steps):
@@ -206,16 +213,16 @@ class Retrace(RtlGateway):
 
     @property
     def _now(self) -> float:
-        """The time of the snoop, in nanoseconds."""
+        """The time in the snoop, in nanoseconds."""
         return self._began + (self.cycles - self._began_at) * self._cycle_ns
 
     def _set_time(self, now: float) -> None:
-        """Set the time to one of the snoop."""
+        """Set the time in the snoop, in nanoseconds."""
         self._began, self._began_at = now, self.cycles
         self._library.ul_set_time(self._handle, now, self._cycle_ns)
 
     def _pass_until(self, time: float, bound: Mapping[int, int]) -> None:
-        """Let cycles pass up to a time while something happens, and set the clock forward when nothing does."""
+        """Run cycles up to a time while groups are running, and set the clock forward otherwise."""
         self._settle()
         while self.ticking and self._now < time and not self._has_run(bound):
             self._pass_cycles(max(1, min(self._base_tick, round((time - self._now) / self._cycle_ns))))
@@ -244,11 +251,11 @@ class Retrace(RtlGateway):
         self._collect()
 
     def _has_run(self, bound: Mapping[int, int]) -> bool:
-        """Return whether all groups have come as far as they may."""
+        """Return True if all groups have reached their bounds."""
         return not self._behind(bound)
 
     def _behind(self, bound: Mapping[int, int]) -> set[int]:
-        """Return the groups that have not come as far as they should."""
+        """Return the groups that have not reached their bounds."""
         return {
             group
             for group, last in bound.items()
@@ -263,7 +270,7 @@ class Retrace(RtlGateway):
         return bool(flags & GroupFlag.TRIGGER) and not flags & GroupFlag.PERIODIC
 
     def _await_samples(self, bound: Mapping[int, int]) -> None:
-        """Run until the groups have come as far as they did."""
+        """Run until the groups have reached their bounds, or for a limited number of cycles."""
         slowest = max((settings.divisor for settings in self._settings.values()), default=0)
         for _ in range((_MOST_CYCLES + 2 * slowest * self._base_tick) // _PIECE):
             if not self.ticking or self._has_run(bound):
@@ -272,7 +279,7 @@ class Retrace(RtlGateway):
         self._given_up |= self._behind(bound)
 
     def _settle(self) -> None:
-        """Let cycles pass until all that was sent is taken and answered."""
+        """Run cycles until all sent frames are received and answered."""
         for _ in range(_MOST_CYCLES // _PIECE):
             if self.ticking and not (self._owed or self.waiting):
                 break
@@ -281,11 +288,11 @@ class Retrace(RtlGateway):
             else:
                 self._run_until_quiet()
                 self._collect()
-                # It may have begun to tick.
+                # The last frame may have started a group.
                 if not self.ticking:
                     break
         for step in self._owed:
-            # It will not come, and the next answer is not its.
+            # This answer is missing; the next answer belongs to a later frame.
             if step.answer is not None:
                 self.report.differ(Difference(step.time / 1e9, step.frame, step.answer, b""))
         self._owed.clear()
@@ -299,7 +306,7 @@ class Retrace(RtlGateway):
         self._library.ul_push(self._handle, step.frame, len(step.frame))
 
     def _divide(self, step: SnoopedFrame) -> None:
-        """Send a command behind the samples that were taken before it, and have it done."""
+        """Send a command that divides samples after the samples recorded before it, and wait for its answer."""
         self._await_samples(step.samples_before)
         self._send(step)
         self._settle()
@@ -308,7 +315,7 @@ class Retrace(RtlGateway):
             self._set_up(step.request.values[0])
 
     def _set_up(self, group: int) -> None:
-        """Take the next settings of a group."""
+        """Select the next recorded settings of a group."""
         if group in self._settings:
             self._compare_missing(group)
         self._place[group] += 1
@@ -327,7 +334,7 @@ class Retrace(RtlGateway):
             else:
                 self._compare_answer(frame)
 
-    # What is compared
+    # Comparison
 
     def _compare_answer(self, frame: bytes) -> None:
         step = self._owed.popleft() if self._owed else SnoopedFrame(self._now, b"")
@@ -347,7 +354,7 @@ class Retrace(RtlGateway):
             return
         number = self._sampled[group] = number_after(self._sampled[group], sequence)
         recorded = settings.samples.get(number)
-        # Behind the last that was recorded, and in gaps, there is nothing to compare with.
+        # Samples after the last recorded one, and in gaps of the recording, cannot be compared.
         if recorded is None or self._is_triggered(group):
             return
         self.report.samples += 1
@@ -356,7 +363,7 @@ class Retrace(RtlGateway):
             self.report.differ(Difference(recorded.time / 1e9, b"", recorded.frame, frame))
 
     def _compare_missing(self, group: int) -> None:
-        """Look for samples of a group's settings that did not come."""
+        """Report the recorded samples of a group's settings that the gateware did not send."""
         settings = self._settings[group]
         if self._is_triggered(group):
             self.report.triggered += len(settings.samples)
@@ -372,7 +379,7 @@ class Retrace(RtlGateway):
     # The bus
 
     def _access(self, address: int, word: int | None) -> int:
-        """Answer as the recorded bus did."""
+        """Return the recorded result of an access."""
         place = int(self._library.ul_sample_word(self._handle))
         if place >= 0:
             return self._sampled_word(place >> 16, place >> 8 & 0xFF, place & 0xFF)
@@ -388,9 +395,9 @@ class Retrace(RtlGateway):
         return self._words.get(address, 0)
 
     def _recorded_outcome(self, write: bool, address: int) -> int | ErrorCode | None:  # noqa: FBT001
-        """Return what the next access of this kind gave; where the gateways differ, some may be left out."""
+        """Return the recorded outcome of the next such access; skip others, because the gateways may differ."""
         if self.cycles == self._silent_at + 1:
-            # The same access still: the bus is asked in each cycle until it answers.
+            # This is still the same access: an access without an answer is passed on in each cycle.
             return ErrorCode.BUS_TIMEOUT
         accesses = self._accesses
         for place in range(min(len(accesses), _FARTHEST)):
@@ -401,7 +408,7 @@ class Retrace(RtlGateway):
         return None
 
     def _sampled_word(self, group: int, sequence: int, index: int) -> int:
-        """Return a word of a sample; where that was not recorded, one that is as good."""
+        """Return a word of a sample; a suitable word, if the sample was not recorded."""
         settings = self._settings.get(group)
         if settings is None:
             return 0
@@ -411,7 +418,7 @@ class Retrace(RtlGateway):
         return words[index] if index < len(words) else 0
 
     def _decide(self, group: int, settings: SnoopedGroup, number: int) -> None:
-        """Choose the words of a sample that is being taken; of a group on change, they decide whether it is due."""
+        """Choose the words of a sample that is being read; with ON_CHANGE they decide whether it is sent."""
         last, before = self._given.get(group, (-1, []))
         sample = settings.samples.get(number)
         if number == last and settings.flags & GroupFlag.ON_CHANGE:
@@ -420,11 +427,11 @@ class Retrace(RtlGateway):
             words = before if sample is None else sample.words
         elif sample is not None:
             if sample.time > self._now:
-                # Nothing has changed until it is time.
+                # The values change only at the recorded time of the sample.
                 return
             words = sample.words
         elif number < settings.last:
-            # One that was lost was due by a change, and so was the next one.
+            # A lost sample was sent because of a change; its words must also differ from those of the next sample.
             later = next(
                 settings.samples[one] for one in range(number + 1, settings.last + 1) if one in settings.samples
             )

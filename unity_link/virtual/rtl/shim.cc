@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What stands around the gateware when it runs in a process: a clock, the medium, and a bus with memory and devices.
+// The environment of compiled gateware in a process: a clock, the medium, and a bus with memory and devices.
 //
-// The generated C++ (UL_MODEL names the file) is the entity `unity_link_fifo`, cycle for cycle, or a whole design around
-// a gateway (UL_TOP). This file gives it, in every cycle, what a medium and a Wishbone bus would, and shows the rest of
-// the world a C interface for ctypes. Time is the number of clock cycles and nothing else: it passes only in `ul_run` and
-// `ul_run_until_quiet`.
+// The generated C++ (UL_MODEL is the name of the file) is the entity `unity_link_fifo`, cycle by cycle, or a whole
+// design around a gateway (UL_TOP). In each cycle this file drives the inputs as a medium and a Wishbone bus do. Its C
+// interface is for ctypes. Time is the number of clock cycles; it passes only in `ul_run`, `ul_run_until_quiet`,
+// `ul_run_at_pins` and `ul_skip`.
 //
-// Order within a cycle: inputs are set, then one evaluation with a rising clock settles the logic and computes what the
-// registers will hold. Both sides' signals are looked at before it is committed, which is as a register would see them
-// at that edge. So handshakes are exact. A step with the clock low, which CXXRTL does not need where the logic has no
-// feedback, would take the time of another evaluation.
+// Order within a cycle: inputs are set, then one evaluation with a rising clock computes the logic and the next values
+// of registers. The signals of both sides are read before the registers change, as a register would read them at that
+// edge, so handshakes are exact. A further evaluation with a low clock would double the time, and CXXRTL does not need
+// it if the logic has no feedback.
 //
-// The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
-// strobe that is still up beside `ack` belongs to the access just answered; in a pipeline it is the next access. A
-// `Slave` answers when it likes instead, and as often, whether that is allowed or not. A whole design has a bus of its
-// own inside, and any number of classic Wishbone masters beside it (UL_MASTERS), each with the addresses that it says.
+// The bus answers each access in the next cycle, as block RAM does: `ack` is a register. In classic mode a strobe in
+// the same cycle as `ack` belongs to the access that was answered; in pipelined mode it is the next access. A `Slave`
+// replaces this bus, and may answer at any time and any number of times, even against the rules of the bus. A whole
+// design contains its own bus, and may have classic Wishbone masters (UL_MASTERS), each with its own first address.
 //
-// All other ports of a whole design (UL_PORTS) are the caller's: it sets inputs, now or in a cycle to come, reads
-// outputs where they stand in memory, and is called in the cycles in which it wants to know of a pulse.
+// The caller uses the other ports of a whole design (UL_PORTS). It sets inputs now or in a later cycle, reads outputs
+// directly in memory, and can be called in the cycles of a pulse.
 
 #include UL_MODEL
 
@@ -38,8 +38,8 @@
 
 namespace {
 
-// The registers that this file looks into are named by the generated file, which knows what GHDL calls them; a memory
-// keeps its name. Of each group: its divisor, 0 where it is not periodic.
+// The generated file has macros for the registers that this file reads, because it knows GHDL's names for them;
+// memories keep their names. UL_DIVISORS has the divisor of each group, which is 0 for a group that is not periodic.
 #ifdef UL_TOP
 using Top = cxxrtl_design::UL_TOP;
 #else
@@ -50,45 +50,47 @@ using Top = cxxrtl_design::p_unity__link__fifo;
 	memory_p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_divisors
 #endif
 
-// A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
+// Callback for a bus access. `value` is the written word, or gets the read word. Returns an Answer.
 using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
 
-// Evaluations until logic with feedback is at rest.
+// Largest number of evaluations until logic with feedback is stable.
 constexpr int MOST_EVALUATIONS = 1000;
 
 enum Answer { ANSWER_ACK = 0, ANSWER_ERROR = 1, ANSWER_NONE = 2, ANSWER_RETRY = 3 };
 
-// What a slave gives as an answer, so many cycles after the strobe that it has seen.
+// An answer of a slave, `after` cycles after the strobe.
 struct Reply {
 	uint64_t word;
 	uint32_t after;
 	uint32_t answer;
 };
 
-// A bus slave without manners. `value` is the word written. Gives how many replies it has written, of two at most.
+// Callback for a bus slave that may break the rules of the bus. `value` is the written word. Returns the number of
+// replies that it has stored, at most two.
 using Slave = int (*)(void *context, uint64_t address, int write, uint64_t value, Reply *replies);
 
-// Called in a cycle: a watch whose bits are '1' in it, by its number; or negative, the alarm is due, before the cycle.
+// Callback for an event: in a cycle in which the bits of a watch are '1', with the number of the watch; or before the
+// cycle of the alarm, with a negative number.
 using Event = void (*)(void *context, int watch);
 
-// What is behind an address that is no plain memory: one of Answer, or the device.
+// Kind of an address: memory, device, or a fixed answer (ANSWER_ERROR or ANSWER_NONE).
 constexpr uint8_t BEHIND_MEMORY = 0;
 constexpr uint8_t BEHIND_DEVICE = 3;
 
-// Up to this width, memory is one array; above, a table of the words that were written.
+// Up to this width of addresses, memory is an array; above, it is a table of the written words.
 constexpr size_t MOST_DIRECT_BITS = 20;
 
-// The gateway has no work left after so many cycles without a byte and without a bus access, if its registers are at their
-// end what they were QUIET_AT_PINS cycles after their begin: the same state and the same inputs have the same future.
+// The gateway is idle after QUIET_CYCLES cycles without a byte and without a bus access, if its registers then have the
+// values of cycle QUIET_AT_PINS: with the same state and the same inputs, the next cycles repeat.
 constexpr uint64_t QUIET_CYCLES = 96;
 constexpr uint64_t QUIET_AT_PINS = 64;
 
-// Every name of a register of the gateway contains the first text. Registers whose name contains one of the others count
-// time, also while the gateway has no work.
+// The names of all registers of the gateway contain GATEWAY. Registers whose names contain one of CLOCKS count time,
+// even while the gateway is idle.
 constexpr const char *GATEWAY = "unity_link_inst.";
 constexpr const char *CLOCKS[] = {"clock_inst.", "timer_inst.", ".base_tick", ".timestamp"};
 
-// So many of them a waveform shows.
+// Number of idle cycles that a waveform shows.
 constexpr uint64_t SHOWN_QUIET_CYCLES = 24;
 
 template<size_t Bits>
@@ -125,7 +127,7 @@ const cxxrtl::chunk_t *chunks(const cxxrtl::value<Bits> &signal) { return signal
 template<size_t Bits>
 const cxxrtl::chunk_t *chunks(const cxxrtl::wire<Bits> &signal) { return signal.curr.data; }
 
-// A port of the design. What an input is set to stays until it is set again.
+// A port of the design. An input keeps its value until it is set again.
 struct Port {
 	const char *name;
 	bool is_input;
@@ -144,7 +146,7 @@ Port output(const char *name, Signal &signal) {
 	return {name, false, width(signal), const_cast<cxxrtl::chunk_t *>(chunks(signal))};
 }
 
-// Of each bit of a port: in how many cycles it was '1', and how often it changed, as in the cycles before `cycles`.
+// Counts for each bit of a port the cycles in which it was '1', and its changes, up to the cycle `cycles`.
 class Counter {
 public:
 	Counter(const Port &port, uint64_t cycles)
@@ -159,7 +161,7 @@ public:
 		std::copy(port_.data, port_.data + last_.size(), last_.begin());
 	}
 
-	// Writes both counts of each bit, and begins anew.
+	// Stores both counts of each bit, and restarts them at 0.
 	void take(uint64_t cycles, uint64_t *high, uint64_t *edges) {
 		settle(cycles);
 		std::copy(high_.begin(), high_.end(), high);
@@ -183,7 +185,7 @@ private:
 	std::vector<uint64_t> edges_;
 };
 
-// Steps of a motor's driver: pulses that began while the direction was '0', less those that did while it was '1'.
+// Counts the steps of a motor driver: pulses that began with the direction '0', minus pulses that began with '1'.
 class StepCounter {
 public:
 	StepCounter(const Port &pulse, const Port &direction) : pulse_(pulse), direction_(direction), was_(pulse.bit()) {}
@@ -204,10 +206,10 @@ private:
 
 constexpr uint64_t NEVER = std::numeric_limits<uint64_t>::max();
 
-// Signals over time in a file that waveform viewers open (VCD, IEEE 1364). Cycles in which nothing happens are left out.
+// Writes signals over time to a file for waveform viewers (VCD, IEEE 1364). Idle cycles are omitted.
 class Waveform {
 public:
-	// Opens `path`; `failure` is what the system said, 0 where all is well.
+	// Opens `path`; `failure` is the system's error number, or 0.
 	Waveform(const char *path, Top &top) : file_(std::fopen(path, "w")) {
 		if (!file_) {
 			failure = errno;
@@ -222,7 +224,7 @@ public:
 
 	~Waveform() { close(); }
 
-	// Gives what the system said to all writing so far, and to the last of it.
+	// Closes the file; returns the number of the first error of all writing, or 0.
 	int close() {
 		if (file_) {
 			check(std::fprintf(file_, "#%llu\n", static_cast<unsigned long long>(last_)));
@@ -234,7 +236,7 @@ public:
 		return failure;
 	}
 
-	// A cycle that begins at a time, with its second half a later one; both in nanoseconds.
+	// Writes a cycle. `begin` is its beginning, and `half` the beginning of its second half, in nanoseconds.
 	void show(uint64_t begin, uint64_t half) {
 		if (!file_)
 			return;
@@ -263,14 +265,14 @@ private:
 	};
 
 	void add(const char *name, const cxxrtl::chunk_t *now, size_t bits) {
-		// The clock is drawn with both its edges.
+		// The clock is written by `show`, with both of its edges.
 		if (!bits || name == std::string("clk"))
 			return;
 		const size_t size = (bits + 31) / 32;
 		signals_.push_back({name, identifier(signals_.size() + 1), now, bits, std::vector<cxxrtl::chunk_t>(size)});
 	}
 
-	// Printable characters, `!` and on.
+	// VCD identifiers consist of printable characters from `!` on.
 	static std::string identifier(size_t number) {
 		std::string text;
 		do {
@@ -340,7 +342,7 @@ private:
 	bool first_ = true;
 };
 
-// The registers of the gateway, without those that count time.
+// The registers of the gateway, except those that count time.
 class Registers {
 public:
 	explicit Registers(const Top &top) {
@@ -355,7 +357,7 @@ public:
 			kept = std::copy(place.first, place.first + place.second, kept);
 	}
 
-	// Whether they are what they were when they were kept.
+	// Returns true if the registers have the values of the last call of `keep`.
 	bool are_kept() const {
 		auto kept = kept_.begin();
 		for (auto &place : places_) {
@@ -378,7 +380,7 @@ private:
 		kept_.resize(kept_.size() + places_.back().second);
 	}
 
-	// What is computed from registers alone.
+	// Signals that are computed from registers are not stored.
 	template<size_t Bits>
 	void add(const std::string &, const cxxrtl::value<Bits> &) {}
 
@@ -407,7 +409,7 @@ public:
 			table_[address] = value;
 	}
 
-	// All addresses whose word is not zero.
+	// Returns the addresses of all words that are not 0.
 	std::vector<uint64_t> used() const {
 		std::vector<uint64_t> addresses;
 		for (size_t address = 0; address < words_.size(); ++address)
@@ -426,13 +428,13 @@ private:
 };
 
 class Gateway {
-	// Before all that looks into it.
+	// Declared first, because other members refer to it.
 	Top top_;
 
 public:
 #ifdef UL_TOP
 	Gateway() : memory(MOST_DIRECT_BITS + 1) {
-		// A design says of each master where its addresses begin, and its name.
+		// The generated file has the first address and the name of each master.
 #define UL_MASTER(base, name) add_master(base, name);
 		UL_MASTERS(UL_MASTER)
 #undef UL_MASTER
@@ -442,7 +444,7 @@ public:
 	Gateway() : memory(width(top_.p_wb__adr)) { reset(); }
 #endif
 
-	// Everything but memory, what is behind addresses, and inputs goes back to power-up.
+	// Restores the state after power-up, except memory, the kinds of addresses, and inputs of a whole design.
 	void reset() {
 		std::vector<std::vector<cxxrtl::chunk_t>> inputs;
 		for (const Port &port : ports)
@@ -482,8 +484,8 @@ public:
 			cycle();
 	}
 
-	// Runs until nothing moves any more, or what moves waits for room; at most `most` cycles, or `most_with_groups`
-	// while one is periodic, which never rests. Gives the cycles run.
+	// Runs until the gateway is idle, or its bytes wait for room: at most `most` cycles, or `most_with_groups` cycles
+	// while a periodic group runs, because the gateway is never idle then. Returns the number of cycles.
 	uint64_t run_until_quiet(uint64_t most, uint64_t most_with_groups) {
 		uint64_t count = 0;
 		quiet_ = 0;
@@ -494,7 +496,7 @@ public:
 		return count;
 	}
 
-	// Whether a periodic group is running, so that something happens at base ticks.
+	// Returns true if each cycle must be computed, for example because a periodic group is running.
 	bool ticking() {
 		if (never_rests || !later_.empty() || !pulses_.empty())
 			return true;
@@ -507,8 +509,8 @@ public:
 		return false;
 	}
 
-	// Does what `run` does, at no cost, for a gateway that is quiet and not ticking: nothing changes then but
-	// its clock, and the phase of the base tick unless `count` is a multiple of that.
+	// Has the effect of `run` for a gateway that is idle and not ticking, without computing the cycles: only the clock
+	// advances. The phase of the base tick changes unless `count` is a multiple of the base tick's period.
 	void skip(uint64_t count) {
 #ifdef UL_TIMESTAMP
 		auto &timestamp = top_.UL_TIMESTAMP;
@@ -519,8 +521,8 @@ public:
 		cycles += count;
 	}
 
-	// Runs as the pins of a medium would see it: until a flush, or, with `stop_when_quiet`, until nothing moves; at most
-	// `most` cycles. Gives the cycles run, without those at the end in which nothing moved.
+	// Runs until a flush, or with `stop_when_quiet` until the gateway is idle: at most `most` cycles. Returns the number
+	// of cycles without the idle ones at the end.
 	uint64_t run_at_pins(uint64_t most, bool stop_when_quiet) {
 		const uint64_t flushed = flushes;
 		uint64_t count = 0;
@@ -535,7 +537,7 @@ public:
 
 	std::deque<uint8_t> to_gateway;
 	std::vector<uint8_t> from_gateway;
-	// Cycles that a byte takes at the medium, in either direction; 0 for a byte in every cycle.
+	// Cycles for each byte at the medium, in each direction; 0 for a byte in each cycle.
 	double pace = 0;
 	Memory memory;
 	std::unordered_map<uint64_t, uint8_t> behind;
@@ -543,22 +545,22 @@ public:
 	void *device_context = nullptr;
 	Slave slave = nullptr;
 	void *slave_context = nullptr;
-	// Cycles of each 64 in which a pipelined slave stalls, one a bit.
+	// Pattern of 64 cycles: in cycles whose bit is 1 a pipelined slave stalls.
 	uint64_t stalls = 0;
 	uint64_t cycles = 0;
 	uint64_t flushes = 0;
 	size_t room = std::numeric_limits<size_t>::max();
 	bool lost_before_next = false;
 	bool trigger = false;
-	// Whose trigger that is; negative: those of all groups.
+	// Group of the trigger; negative for the triggers of all groups.
 	int triggered_group = -1;
-	// Whether a byte to send found no room in the last cycle.
+	// True if a byte to send found no room in the last cycle.
 	bool stalled = false;
-	// Whether every address is the device's.
+	// True if all addresses belong to the device.
 	bool only_device = false;
-	// Whether something happens in each cycle, so that none may be skipped.
+	// True if no cycle may be skipped, because hardware moves by itself.
 	bool never_rests = false;
-	// Ports of a whole design, in the order of their names.
+	// Ports of a whole design, sorted by name.
 #define UL_INPUT(name, member) input(name, top_.member),
 #define UL_OUTPUT(name, member) output(name, top_.member),
 	const std::vector<Port> ports = {UL_PORTS(UL_INPUT, UL_OUTPUT)};
@@ -566,17 +568,18 @@ public:
 #undef UL_OUTPUT
 	Event event = nullptr;
 	void *event_context = nullptr;
-	// The cycle before which the event comes; each is set anew.
+	// The alarm event is called once, before this cycle.
 	uint64_t alarm = NEVER;
 
-	// Has the event come in each cycle in which the lowest bits of both ports are '1'; a negative one counts as '1'.
+	// Calls the event in each cycle in which the lowest bits of both ports are '1'; `second` may be negative for one port.
+	// Returns the number of the watch.
 	int watch(int first, int second) {
 		const Port &port = ports[first];
 		watches_.push_back({port.data, second < 0 ? port.data : ports[second].data});
 		return static_cast<int>(watches_.size()) - 1;
 	}
 
-	// Sets an input before a cycle, at once where that has passed.
+	// Sets an input before a cycle; at once, if the cycle has passed.
 	void set_at(uint64_t cycle, size_t index, const cxxrtl::chunk_t *value) {
 		const Port &port = ports[index];
 		if (cycle <= cycles)
@@ -588,23 +591,23 @@ public:
 	void count(size_t index) { counters_.emplace(index, Counter(ports[index], cycles)); }
 	void take_counts(size_t index, uint64_t *high, uint64_t *edges) { counters_.at(index).take(cycles, high, edges); }
 
-	// Steps since the reset, or the first call for these ports.
+	// Returns the steps since the reset, or since the first call for these ports.
 	int64_t steps(size_t pulse, size_t direction) {
 		const auto key = std::make_pair(pulse, direction);
 		return step_counters_.emplace(key, StepCounter(ports[pulse], ports[direction])).first->second.steps;
 	}
 
-	// The external trigger of a group is '1' in so many cycles from the next one on.
+	// Sets the external trigger of a group to '1' for `count` cycles from the next one on.
 	void pulse(int group, uint64_t count) { pulses_[group] = cycles + count; }
 
-	// A master port of a whole design that nothing is connected to ends all accesses with an error at once.
+	// Connects a master of a whole design to the bus. An unconnected master gets an error for each access at once.
 	void connect(size_t master) {
 		masters_.at(master).connected = true;
 		*masters_.at(master).err.data = 0;
 	}
 
-	// Of the bus access that the device is asked for: which word of which sample of which group it is, packed as number,
-	// sequence and word of a byte each; negative for that of a request.
+	// For an access during a call of the device: the sample's word, packed into a byte each for the group's number, the
+	// sequence number and the index of the word; negative for an access of a request.
 	int sample_word() {
 #ifdef UL_FOR_SAMPLE
 		if (get(top_.UL_FOR_SAMPLE))
@@ -613,13 +616,13 @@ public:
 		return -1;
 	}
 
-	// Shows all cycles from now on in a waveform while `shows`; gives what the system said.
+	// Opens a waveform, which gets all cycles while `shows` is true; returns the system's error number, or 0.
 	int open_waveform(const char *path) {
 		waveform.reset(new Waveform(path, top_));
 		return waveform->failure;
 	}
 
-	// The time of the next cycle, and how long one takes, in nanoseconds.
+	// Sets the time of the next cycle, and the length of a cycle, in nanoseconds.
 	void set_time(double now, double of_a_cycle) {
 		began_ = now;
 		began_at_ = cycles;
@@ -635,7 +638,7 @@ private:
 		uint64_t base;
 		Port cyc, stb, we, adr, dat_o, dat_i, ack, err;
 		bool connected;
-		// Whether the access that stands there was handed on.
+		// True if the present access was passed to the device or memory.
 		bool asked;
 	};
 
@@ -712,15 +715,15 @@ private:
 			quiet_ = 0;
 	}
 
-	// Whether the pace of the medium alone holds a byte back.
+	// Returns true if a byte waits only because of the medium's rate.
 	bool is_paced() const {
 		return (!to_gateway.empty() && cycles < in_due_) ||
 			(get(top_.p_out__valid) && from_gateway.size() < room && cycles < out_due_);
 	}
 
 #ifdef UL_FEEDBACK
-	// Logic with feedback, as through the bits of a vector, takes several evaluations, here with a low clock. A loop
-	// that never comes to rest is left after the most of them.
+	// Logic with feedback, for example through the bits of a vector, needs several evaluations, here with a low clock. For
+	// a loop that never becomes stable, their number is limited.
 	void settle() {
 		set(top_.prev_p_clk, 0);
 		set(top_.p_clk, 0);
@@ -737,11 +740,12 @@ private:
 		waveform->show(std::llround(begin), std::llround(begin + of_a_cycle_ / 2));
 	}
 
-	// When the byte behind one of this cycle may pass; parts of cycles add up while bytes follow each other.
+	// Returns the time at which the next byte may pass after one in this cycle, in cycles; fractions of cycles accumulate
+	// while bytes follow each other.
 	double next_due(double due) const { return (cycles - due < 1 ? due : cycles) + pace; }
 
 #ifdef UL_TOP
-	// Answers the masters of a whole design; gives whether its own bus, or one of these, is busy.
+	// Answers the masters of a whole design; returns true if the design's own bus or a master is busy.
 	bool pass_bus() {
 		bool busy = get(top_.UL_OWED);
 		for (Master &master : masters_) {
@@ -781,7 +785,7 @@ private:
 		return port.data[0] | (port.bits > 32 ? uint64_t{port.data[1]} << 32 : 0);
 	}
 #else
-	// Answers the bus; gives whether it is busy.
+	// Answers the bus; returns true if the bus is busy.
 	bool pass_bus() {
 		const bool on_bus = get(top_.p_wb__cyc);
 		const bool answered = ack_ || err_ || rty_;
@@ -794,8 +798,8 @@ private:
 		return on_bus;
 	}
 
-	// One cycle of a slave: it sees each access once, and what it has said before stands in the registers from the next
-	// cycle on, if that is its time.
+	// Runs one cycle of a slave. The slave is called once for each access. Replies that are due in the next cycle are put
+	// into the registers.
 	void pass_to_slave(bool strobe, bool answered) {
 		const bool begins = UL_PIPELINED ? !(stalls >> cycles % 64 & 1) : !is_slaves_;
 		if (strobe && begins) {
@@ -818,7 +822,7 @@ private:
 	}
 #endif
 
-	// One access of a bus; the answer stands in the registers from the next cycle on.
+	// Executes one bus access; the registers have the answer from the next cycle on.
 	void access(uint64_t address, bool write, uint64_t written) {
 		uint64_t value = write ? written : 0;
 		int answer = ANSWER_ACK;
@@ -844,20 +848,20 @@ private:
 	bool ack_ = false;
 	bool err_ = false;
 	bool rty_ = false;
-	// The strobe is that of an access which the slave has seen.
+	// True if the slave was called for the access of the present strobe.
 	bool is_slaves_ = false;
-	// By the cycle in which they stand on the bus.
+	// Replies of the slave, by the cycle in which they are on the bus.
 	std::multimap<uint64_t, Reply> replies_;
 	std::vector<Master> masters_;
 	std::vector<std::pair<const cxxrtl::chunk_t *, const cxxrtl::chunk_t *>> watches_;
 	std::map<size_t, Counter> counters_;
 	std::map<std::pair<size_t, size_t>, StepCounter> step_counters_;
-	// Inputs to be set, by the cycle before which; and triggers that are '1', by the cycle in which they no longer are.
+	// Values of inputs, by the cycle before which they are set; and end of the pulse of each trigger, by group.
 	std::multimap<uint64_t, std::pair<size_t, std::vector<cxxrtl::chunk_t>>> later_;
 	std::map<int, uint64_t> pulses_;
 	uint64_t read_data_ = 0;
 	Registers registers_{top_};
-	// Cycles in which nothing passed the pins or the bus.
+	// Number of cycles since the last byte or bus access.
 	uint64_t quiet_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
@@ -870,7 +874,7 @@ private:
 
 extern "C" {
 
-// One gateway in reset state with memory of zeros. Free it with ul_destroy.
+// Returns a gateway in reset state, whose memory is 0. Free it with ul_destroy.
 Gateway *ul_create() { return new Gateway; }
 void ul_destroy(Gateway *gateway) { delete gateway; }
 void ul_reset(Gateway *gateway) { gateway->reset(); }
@@ -889,17 +893,17 @@ void ul_skip(Gateway *gateway, uint64_t cycles) { gateway->skip(cycles); }
 uint64_t ul_cycles(const Gateway *gateway) { return gateway->cycles; }
 uint64_t ul_flushes(const Gateway *gateway) { return gateway->flushes; }
 
-// Bytes wait here until the gateway's receive FIFO has room for them.
+// Adds bytes, which wait until the gateway's receive FIFO has room for them.
 void ul_push(Gateway *gateway, const uint8_t *data, size_t size) {
 	gateway->to_gateway.insert(gateway->to_gateway.end(), data, data + size);
 }
 size_t ul_waiting(const Gateway *gateway) { return gateway->to_gateway.size(); }
 void ul_take_back(Gateway *gateway) { gateway->to_gateway.clear(); }
 
-// The next byte that the gateway takes carries the mark that bytes before it were lost.
+// Marks the next byte to the gateway: bytes before it were lost.
 void ul_lose(Gateway *gateway) { gateway->lost_before_next = true; }
 
-// The gateway can't send more than so many bytes until they are pulled.
+// Limits the number of bytes that the gateway can send before they are pulled.
 void ul_set_room(Gateway *gateway, size_t bytes) { gateway->room = bytes; }
 size_t ul_available(const Gateway *gateway) { return gateway->from_gateway.size(); }
 size_t ul_pull(Gateway *gateway, uint8_t *data, size_t size) {
@@ -910,21 +914,21 @@ size_t ul_pull(Gateway *gateway, uint8_t *data, size_t size) {
 	return count;
 }
 
-// The level of the external trigger of a group, or of those of all; all others are low.
+// Set the level of the external trigger of a group or of all groups; other triggers are low.
 void ul_set_trigger(Gateway *gateway, int level) { gateway->trigger = level != 0; }
 void ul_choose_trigger(Gateway *gateway, int group) { gateway->triggered_group = group; }
 
 uint64_t ul_read_memory(const Gateway *gateway, uint64_t address) { return gateway->memory.read(address); }
 void ul_write_memory(Gateway *gateway, uint64_t address, uint64_t value) { gateway->memory.write(address, value); }
 
-// The addresses of all words that are not zero; gives how many there are and writes at most `size` of them.
+// Stores at most `size` addresses of words that are not 0; returns the number of all such words.
 size_t ul_used_memory(const Gateway *gateway, uint64_t *addresses, size_t size) {
 	auto used = gateway->memory.used();
 	std::copy(used.begin(), used.begin() + std::min(size, used.size()), addresses);
 	return used.size();
 }
 
-// What is behind an address: 0 memory, 1 an error, 2 no answer, 3 the device.
+// Sets the kind of an address: 0 memory, 1 an error, 2 no answer, 3 the device.
 void ul_set_behind(Gateway *gateway, uint64_t address, uint8_t kind) {
 	if (kind == BEHIND_MEMORY)
 		gateway->behind.erase(address);
@@ -936,7 +940,7 @@ void ul_set_device(Gateway *gateway, Device device, void *context) {
 	gateway->device = device;
 	gateway->device_context = context;
 }
-// A slave in place of memory and devices, and the cycles in which it stalls.
+// Set a slave in place of memory and devices, and the cycles in which it stalls.
 void ul_set_slave(Gateway *gateway, Slave slave, void *context) {
 	gateway->slave = slave;
 	gateway->slave_context = context;
@@ -945,7 +949,7 @@ void ul_set_stalls(Gateway *gateway, uint64_t pattern) { gateway->stalls = patte
 void ul_set_only_device(Gateway *gateway) { gateway->only_device = true; }
 int ul_sample_word(Gateway *gateway) { return gateway->sample_word(); }
 
-// Ports of a whole design, by numbers from 0 on; their words of 32 bits, the lowest first, stand where they stay.
+// Ports of a whole design, by numbers from 0 on. The address of a port's 32-bit words, lowest first, never changes.
 size_t ul_ports(const Gateway *gateway) { return gateway->ports.size(); }
 const char *ul_port_name(const Gateway *gateway, size_t port) { return gateway->ports[port].name; }
 int ul_port_is_input(const Gateway *gateway, size_t port) { return gateway->ports[port].is_input; }
@@ -961,7 +965,7 @@ void ul_take_counts(Gateway *gateway, size_t port, uint64_t *high, uint64_t *edg
 int64_t ul_steps(Gateway *gateway, size_t pulse, size_t direction) { return gateway->steps(pulse, direction); }
 void ul_connect(Gateway *gateway, size_t master) { gateway->connect(master); }
 
-// Events, and what makes them.
+// Events: the callback, and its causes.
 void ul_set_event(Gateway *gateway, Event event, void *context) {
 	gateway->event = event;
 	gateway->event_context = context;
@@ -971,7 +975,7 @@ void ul_set_alarm(Gateway *gateway, uint64_t cycle) { gateway->alarm = cycle; }
 void ul_pulse(Gateway *gateway, int group, uint64_t cycles) { gateway->pulse(group, cycles); }
 void ul_never_rests(Gateway *gateway, int never) { gateway->never_rests = never != 0; }
 
-// A waveform: these give 0, or the error number of the system.
+// Waveforms: these functions return 0, or the system's error number.
 int ul_open_waveform(Gateway *gateway, const char *path) { return gateway->open_waveform(path); }
 int ul_close_waveform(Gateway *gateway) {
 	gateway->shows = false;

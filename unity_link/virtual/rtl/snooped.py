@@ -1,9 +1,9 @@
-"""The traffic of one gateway in a snoop: frames sent, the answer to each, and the samples of its groups.
+"""Reads the traffic of one gateway from a snoop: sent frames, their answers, and the samples of groups.
 
-A response is found again by its command and ID, as a host finds it; one that was lost or damaged has left its request
-without an answer. Which requests were executed follows from the rules of the session, so it is known which words the
-bus must have given. Where the gateway says that a frame reached it damaged, or that one is missing, that is what it is
-taken to have received, and what follows is judged anew.
+A response is matched to its request by command and ID, as in a host; if it was lost or damaged, the request has no
+answer. The rules of the session determine which requests the gateway executed, and thereby which words the bus
+returned. If the gateway reports that a frame was damaged or missing, the frame is assumed to have arrived so, and later
+frames are evaluated again.
 """
 
 from __future__ import annotations
@@ -38,63 +38,68 @@ if TYPE_CHECKING:
     from unity_link.transport.snoop import Disconnected
 
 GROUP_COMMANDS = frozenset({"GS", "GN", "GX", "GP", "K"})
-"""Their answers divide samples: those that were taken before come before them."""
+"""Commands whose answers divide samples: samples taken before the command are sent before its answer."""
 _SENT = re.compile(rb"[\r\n]*[^\r\n]+[\r\n]")
 _OF_BUS = (ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE)
-"""Errors of the bus, by which a posted write may be answered, too."""
+"""Errors of executed requests, which may also answer a posted write."""
 _TO_ALL = b"ZFF"
 _PREFIX_SIZE = 3
 _SEQUENCES = 256
 
 
 class SnoopedAccess(NamedTuple):
-    """An access of the bus for a request."""
+    """A bus access of a request."""
 
     write: bool
     address: int
     outcome: int | ErrorCode | None = None
-    """Word of a read, None where it is not known; of a read or write, the error that ended it."""
+    """The word of a read, or the error of a read or write; None for a successful write, or if unknown."""
 
 
 class SnoopedFrame(msgspec.Struct):
-    """A frame that the host sent, and what became of it."""
+    """A frame of the host, with its effect and its answer."""
 
     time: float
-    """Nanoseconds from the first record of the file on, as all times here."""
+    """Time in nanoseconds since the first record of the file, like all times here."""
     frame: bytes
     request: DecodedRequest | None = None
-    """Request that was executed."""
+    """The request, if the gateway executes it."""
     owes: bool = False
-    """True if it has an answer."""
+    """True if the gateway answers the frame."""
     answer: bytes | None = None
-    """Answer that was recorded, None where it is not known."""
+    """The recorded answer; None if unknown."""
     refusal: bytes = b""
-    """Answer that it must have where nothing was executed."""
+    """The answer that the gateway must give if it does not execute the frame."""
     before: tuple[int, bool] = (-1, False)
-    """The ID that the gateway expected before it, and whether it had told of a gap."""
+    """The ID that the gateway expected before this frame, and whether it had reported a gap."""
     accesses: list[SnoopedAccess] = []
     samples_before: dict[int, int] = {}
-    """Last sample that was taken before a command of `GROUP_COMMANDS`, by group, counted from the group's settings on;
-    -1 for none."""
+    """For a command of `GROUP_COMMANDS`: number of each group's last sample before the command; -1 for none.
+
+    Samples are numbered from the group's settings on.
+    """
 
     @property
     def divides_samples(self) -> bool:
-        """Return whether no sample that was taken before may come after its answer."""
+        """True if all samples taken before the command are sent before its answer."""
         return self.request is not None and self.request.command in GROUP_COMMANDS
 
 
 class SnoopedSample(NamedTuple):
-    """A sample that was recorded."""
+    """A recorded sample."""
 
     time: float
     frame: bytes
     body: bytes
-    """Without the timestamp."""
+    """Body of the frame without the timestamp."""
     words: list[int]
 
 
 class SnoopedGroup(msgspec.Struct):
-    """A group from one `GS` to the next, with its samples by number; unlike s, that does not begin again at 256."""
+    """Settings of a group from one `GS` to the next, with its samples by number.
+
+    Numbers count on where the 8-bit sequence numbers of samples wrap around.
+    """
 
     flags: GroupFlag
     divisor: int
@@ -102,12 +107,12 @@ class SnoopedGroup(msgspec.Struct):
     last: int = -1
 
     def number(self, sequence: int) -> int:
-        """Return the number of the next sample from its s."""
+        """Return the number of the next sample from its sequence number."""
         return number_after(self.last, sequence)
 
 
 def number_after(last: int, sequence: int) -> int:
-    """Return the number of a sample from its s and the number of the one before it."""
+    """Return the number of a sample from its sequence number and the number of the sample before it."""
     return last + ((sequence - last - 1) % _SEQUENCES) + 1
 
 
@@ -118,25 +123,25 @@ class Snooped(NamedTuple):
     node: int | None
     steps: list[SnoopedFrame]
     groups: dict[int, list[SnoopedGroup]]
-    """Settings by group, one after the other."""
+    """Successive settings of each group."""
     last: float
-    """Instant at which the last byte passed."""
+    """Time of the last byte."""
     astray: int
-    """Frames of the gateway that are damaged, or of which it is not known what they answer."""
+    """Number of the gateway's frames that are damaged, or that match no request."""
 
 
 def read_snooped(
     events: Iterable[Connected | Passed | Disconnected], connection: int | None, end: float | None = None
 ) -> Snooped:
-    """Return what a snoop says of a gateway.
+    """Return the traffic of a gateway in a snoop.
 
     Args:
-        events: of the file.
-        connection: the one to read, None for all, which then must be of one name.
-        end: seconds from the first record on, at which to stop.
+        events: events of the snoop.
+        connection: number of the connection to read; None for all, which must then have the same name.
+        end: time in seconds since the first record at which reading stops; None for all.
 
     Raises:
-        ArgumentError: where there is no such connection, several gateways, or none that has said what it is.
+        ArgumentError: if there is no such connection, there are several gateways, or the snoop has no answer to `Q`.
     """
     found = list(events)
     names = {event.connection: event.name for event in found if isinstance(event, Connected)}
@@ -167,7 +172,7 @@ def read_snooped(
 
 
 def _codec_of(passed: list[Passed]) -> Codec:
-    """Return the messages of the gateway, from its first answer to `Q`."""
+    """Return the codec for the gateway's messages, from its first answer to `Q`."""
     both = {way: b"".join(event.data for event in passed if event.sent == way) for way in (True, False)}
     question = QUESTION.search(both[True])
     for match in CONFIGURATION.finditer(both[False]):
@@ -180,10 +185,10 @@ def _codec_of(passed: list[Passed]) -> Codec:
 
 
 class _Reader:
-    """Puts the bytes of both directions together again.
+    """Combines the bytes of both directions into frames with answers.
 
     Args:
-        codec: the messages of the gateway.
+        codec: codec for the gateway's messages.
     """
 
     def __init__(self, codec: Codec) -> None:
@@ -198,7 +203,7 @@ class _Reader:
         self.begin()
 
     def begin(self) -> None:
-        """Begin a connection: what was under way on the one before is lost."""
+        """Begin a connection; pending frames of the earlier one are lost."""
         self._rest = b""
         self._received = FrameCutter(sent=False)
         self._received.use(self._codec.info)
@@ -206,7 +211,7 @@ class _Reader:
         self._unanswered: deque[SnoopedFrame] = deque()
 
     def take(self, data: bytes, time: float, *, sent: bool) -> None:
-        """Take what passed."""
+        """Process bytes of one direction."""
         if not sent:
             for frame in self._received.cut(data):
                 self._take_received(frame, time)
@@ -218,7 +223,7 @@ class _Reader:
             end = match.end()
         self._rest = data[end:]
 
-    # What the host sent
+    # Frames of the host
 
     def _take_sent(self, frame: bytes, time: float) -> None:
         step = SnoopedFrame(time, frame, samples_before=self._numbers())
@@ -227,7 +232,7 @@ class _Reader:
         self.steps.append(step)
 
     def _judge(self, step: SnoopedFrame) -> bool:
-        """Decide what the gateway makes of a frame; return whether it may answer."""
+        """Determine the effect of a frame in the gateway; return True if the gateway may answer it."""
         sequence = self._session.sequence
         step.before = sequence.expected, sequence.gap_reported
         step.request, step.owes, step.refusal, step.accesses = None, False, b"", []
@@ -247,7 +252,7 @@ class _Reader:
         return not to_all
 
     def _judge_otherwise(self, step: SnoopedFrame, frame: bytes) -> None:
-        """Record that a frame reached the gateway as another one, or not at all, and judge anew those behind it."""
+        """Record that a frame arrived damaged or not at all, and evaluate it and later frames again."""
         sequence = self._session.sequence
         sequence.expected, sequence.gap_reported = step.before
         step.frame = frame
@@ -255,7 +260,7 @@ class _Reader:
         for later in waiting[waiting.index(step) :]:
             self._judge(later)
 
-    # What the gateway sent
+    # Frames of the gateway
 
     def _take_received(self, frame: bytes, time: float) -> None:
         self._overheard.number = self._session.state.number
@@ -290,12 +295,12 @@ class _Reader:
             group, flags, divisor = step.request.values[:3]
             self.groups.setdefault(group, []).append(SnoopedGroup(GroupFlag(flags), divisor))
         if step.request.command == response.command == "GP":
-            # Its own sample is before its answer as well.
+            # The sample of `GP` itself is also sent before the answer.
             group = step.request.values[0]
             step.samples_before[group] = step.samples_before.get(group, -1) - 1
 
     def _hear_of_damage(self, response: DecodedResponse) -> None:
-        """Take it from an answer where a frame reached the gateway damaged, or not at all."""
+        """Process an answer that reports a damaged or missing frame."""
         waiting = self._unanswered
         if response.command == "N" and not any(self._is_told_of_gap(step, response) for step in waiting):
             missing = next((step for step in waiting if self._id_of(step) == response.id), None)
@@ -311,7 +316,7 @@ class _Reader:
         return response.id is not None and step.refusal == self._codec.out_of_sequence(response.id)
 
     def _fits(self, step: SnoopedFrame, response: DecodedResponse) -> bool:
-        """Return whether a response may be to a frame."""
+        """Return True if a response may be the answer to a frame."""
         if step.request is None and not step.owes:
             return False
         number = None if step.request is None else step.request.id
@@ -336,7 +341,7 @@ class _Reader:
     def _take_sample(self, frame: bytes, response: DecodedResponse, time: float) -> None:
         group, sequence, text = response.fields["g"], response.fields["p"], response.fields["text"]
         if group not in self.groups:
-            # It was set up before the snoop began.
+            # The group was set up before the snoop began.
             self.astray += 1
             return
         settings = self.groups[group][-1]
@@ -361,16 +366,16 @@ def _damaged(frame: bytes) -> bytes:
 
 
 def sample_body(codec: Codec, frame: bytes, flags: GroupFlag, seed: int) -> bytes:
-    """Return what a sample says without its timestamp, which is of a clock of its own in each gateway.
+    """Return the body of a sample without its timestamp, which depends on the clock of the gateway.
 
     Args:
-        codec: the messages of the gateway.
-        frame: with its end.
-        flags: of its group.
-        seed: of its session.
+        codec: codec for the gateway's messages.
+        frame: the frame of the sample, with its end.
+        flags: flags of the group.
+        seed: initial value of the session's CRC.
 
     Raises:
-        FrameError: where it is damaged.
+        FrameError: if the frame is damaged.
     """
     body = codec.framing.open(frame.removesuffix(LF), seed)
     head = len("P0000")
@@ -378,7 +383,7 @@ def sample_body(codec: Codec, frame: bytes, flags: GroupFlag, seed: int) -> byte
 
 
 def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: GatewayInfo) -> list[SnoopedAccess]:
-    """Return what a request did on the bus, as far as its response tells."""
+    """Return the bus accesses of a request, with their outcomes as far as the response has them."""
     failure: ErrorCode | None = None
     words: list[Any] = []
     if response is not None:
@@ -392,7 +397,7 @@ def _accesses(request: DecodedRequest, response: DecodedResponse | None, info: G
             words = [response.fields["d"]]
     accesses = _places(request, info)
     if failure is not None:
-        # The answer is the error alone, wherever it was.
+        # The answer does not show which access failed: assume the first one.
         return [access._replace(outcome=failure) for access in accesses[:1]]
     reads = iter(words)
     return [access if access.write else access._replace(outcome=next(reads, None)) for access in accesses]

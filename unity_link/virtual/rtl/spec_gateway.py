@@ -1,8 +1,8 @@
-"""The compiled gateway of a spec: its register bank answers the bus, and a robot is behind the ports of that.
+"""The compiled gateway of a spec with its register bank, and a simulated robot at the ports of the register bank.
 
-The robot's time is that of the gateware. It steps before the clock cycle in which a step is due, so that hardware sees
-new values in that cycle, and where cycles are skipped, before time goes on. A trigger that it fires is applied in the
-cycle of its step.
+The robot has the gateware's time. A step of the robot runs before the clock cycle in which it is due, so that hardware
+sees the new values in that cycle; if cycles are skipped, the step runs before the clock is set forward. A trigger that
+the robot fires is applied in the cycle of the step.
 """
 
 from __future__ import annotations
@@ -32,14 +32,14 @@ if TYPE_CHECKING:
 
 
 class SpecGateway(RtlGateway):
-    """The gateway of a spec with its register bank.
+    """The compiled gateway of a spec with its register bank.
 
     Args:
-        configuration: its build.
-        interface: of the spec.
+        configuration: build of the gateway.
+        interface: interface of the spec.
 
     Raises:
-        ConnectError: where no C++ compiler is installed.
+        ConnectError: if no C++ compiler is installed.
     """
 
     def __init__(self, configuration: Configuration, interface: Interface) -> None:
@@ -50,21 +50,21 @@ class SpecGateway(RtlGateway):
         super().__init__(configuration)
         super().attach_elsewhere(Failing(ErrorCode.BUS_ERROR))
         self._rest_pins()
-        # A core moves by itself: it counts, or waits for an instant.
+        # `keep_awake` keeps the gateway awake if there are cores, which work by themselves.
         self.keep_awake(on=False)
 
     def reset(self) -> None:
-        """Go back to the state after power-up, which is that of the registers, too."""
+        """Restore the state after power-up, also that of the registers."""
         super().reset()
         if self._wiring is not None:
             self._wiring.take_all()
 
     def keep_awake(self, *, on: bool) -> None:
-        """Make each clock cycle count, or end that; with cores each one always counts."""
+        """Compute each clock cycle from now on, or end that; with cores each cycle is always computed."""
         super().keep_awake(on=on or bool(self._interface.cores))
 
     def _pins(self) -> dict[str, PinLevels]:
-        """Return the pins of each core, by its path."""
+        """Return the pins of each core, by path of the core."""
         names = {pin.path: [name for name, _ in pin.ports] for pin in self._bank.wiring.pins}
         found = {}
         for part in self._interface.cores:
@@ -78,27 +78,27 @@ class SpecGateway(RtlGateway):
         return found
 
     def _rest_pins(self) -> None:
-        """Drive the input pins of cores to what they have without a wire."""
+        """Drive the input pins of cores to their levels without a wire."""
         levels = self._pins()
         for part in self._interface.cores:
             for pin in part.core.pins if part.core is not None else ():
                 if pin.way is not Way.OUT and pin.is_used:
                     levels[part.path][pin.name] = pin.unwired
 
-    # What is behind the ports
+    # Devices and robots at the ports
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Put a device behind addresses without a signal; the first is its offset 0.
+        """Attach a device to addresses without a signal; the first address has offset 0.
 
         Raises:
-            ArgumentError: for an address that does not fit, or has a signal or a device, and for what is no device.
+            ArgumentError: if an address does not fit, or has a signal or a device, or the object is not a device.
         """
         places = list(addresses)
         for word in self._bank.words:
             if word.address in places:
                 raise ArgumentError(
-                    f"a device is attached to {word.address:#x}, where the register bank of {self._interface.name} has "
-                    f"{word.paths}: an address without a signal was expected"
+                    f"a device is attached to {word.address:#x}, the address of {word.paths} in the register bank of "
+                    f"{self._interface.name}: an address without a signal was expected"
                 )
         super().attach(device, places)
         for index, port in enumerate(self._bank.ports):
@@ -106,16 +106,16 @@ class SpecGateway(RtlGateway):
                 self._library.ul_connect(self._handle, index)
 
     def attach_elsewhere(self, device: Device) -> None:
-        """Put a device behind every address that has neither a signal nor a device; its offsets are the addresses."""
+        """Attach a device to all addresses that have neither a signal nor a device; its offsets are the addresses."""
         super().attach_elsewhere(device)
         for index, _ in enumerate(self._bank.ports):
             self._library.ul_connect(self._handle, index)
 
     def wire(self, robot: SimulatedRobot) -> None:
-        """Put a robot behind the ports of the signals, and its modules behind theirs.
+        """Connect a robot to the ports of the signals, and its modules to their address windows.
 
         Raises:
-            ArgumentError: where the robot has set what only programs write.
+            ArgumentError: if the robot has set a signal that only programs write.
         """
         offered = {path for group in self._interface.groups if group.trigger for path in group.signals}
         robot.is_wired = True
@@ -123,7 +123,7 @@ class SpecGateway(RtlGateway):
         robot.wire_pins(self._pins())
         self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
         self._robot = robot
-        # Before anything at addresses of its own.
+        # The default device for all addresses; devices attached later have priority.
         super().attach_elsewhere(robot)
         for index, _ in enumerate(self._bank.windows):
             self._library.ul_connect(self._handle, index)
@@ -132,18 +132,18 @@ class SpecGateway(RtlGateway):
 
     @property
     def next_due(self) -> float | None:
-        """Instant at which `advance` should be called next: where no cycle counts, that of the robot's next step."""
+        """Time at which `advance` should be called next: that of the robot's next step if no cycles are computed."""
         due = super().next_due
         return self._robot.next_step if due is None and self._robot is not None else due
 
     def _pass_time(self, now: float) -> None:
-        """Let cycles and the robot's time pass up to `now`."""
+        """Advance the gateware and the robot to the time `now`."""
         robot = self._robot
         if robot is None:
             super()._pass_time(now)
             return
         while not (self.ticking or self._is_held_up):
-            # Nothing sees the robot on the way but what it triggers.
+            # The gateware sees the robot only at the triggers that the robot fires.
             self._step_robot(max(now, self.time))
             if not robot.fired:
                 break
@@ -158,7 +158,7 @@ class SpecGateway(RtlGateway):
         assert self._robot is not None
         assert self._wiring is not None
         self._wiring.tell_of_pins()
-        # Its failure is in the log, and registers stay as they are.
+        # A failure of the robot is logged, and the registers keep their values.
         with contextlib.suppress(AccessError):
             self._robot.pass_time(until, until_fired=True)
 

@@ -1,8 +1,7 @@
-"""The gateware of a spec: the design and the configuration that follow from it, and where its C++ comes from.
+"""The compiled gateware of a spec: its design, its configuration, and its C++.
 
-The design is what `generate vhdl` makes of the spec, the gateway with its register bank, behind a top without records.
-It is made by GHDL and Yosys when it is wanted for the first time, and its C++ is kept in the user's cache, under a hash
-of all that it was made from.
+The design is the output of `generate vhdl`, the gateway with the register bank of the spec, with a top without records.
+GHDL and Yosys convert it at first use. The C++ is stored in the user's cache under a hash of all of its inputs.
 """
 
 from __future__ import annotations
@@ -44,31 +43,31 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.rtl")
 _LEAST_CLOCK_HZ = 500_000
-"""A clock that a PC keeps pace with while cycles in which nothing happens are skipped."""
+"""Clock frequency in Hz that a PC simulates in real time if idle cycles are skipped."""
 _CLOCK_OF_CORES_HZ = 200_000
-"""A clock that a PC keeps pace with where each cycle counts, as cores move by themselves."""
+"""Clock frequency in Hz that a PC simulates in real time with cores, for which each cycle is computed."""
 _MOST_CLOCK_HZ = 100_000_000
-"""A clock beyond which no quicker one is looked for."""
+"""Clock frequency in Hz above which the search for a suitable clock stops."""
 _LEAST_CYCLES = 16
-"""Cycles in a period of what the generics of a core ask for in Hz, so that a pulse has as many widths."""
+"""Least number of clock cycles in a period of a core's frequency (a generic in Hz), as the resolution of a pulse."""
 _USUAL_BASES = tuple(digit * 10**power for power in range(7, 2, -1) for digit in (10, 5, 2))
-"""Base frequencies in mHz, the quickest first: that of the gateware by itself, and rounder parts of it."""
+"""Base frequencies in mHz, highest first: the gateware's default, and round fractions of it."""
 _ROUND_CYCLES = 8
-"""Clock cycles of a base tick beside one for each group (gateware/rtl/application/ul_subscription_manager.vhd)."""
+"""Clock cycles that a base tick needs in addition to one for each group (ul_subscription_manager.vhd)."""
 _OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerprint"})
-"""Generics that the gateway of a spec has of itself."""
+"""Generics that the generated gateway sets itself."""
 _FIFOS = {"receive_fifo_bytes": "rx_fifo_depth", "transmit_fifo_bytes": "tx_fifo_depth"}
 
 
 def with_clock(generics: Mapping[str, int], least_hz: int = _LEAST_CLOCK_HZ) -> dict[str, int]:
-    """Return generics with the slowest clock that their groups allow: a PC simulates a million cycles a second."""
+    """Return generics with the slowest clock that the groups allow, because a PC simulates only about 1 MHz."""
     base_hz = generics["base_frequency_millihertz"] / 1000
     ticks = max(1, -(-least_hz // base_hz), generics["groups"] + _ROUND_CYCLES)
     return {"clock_hz": round(base_hz * ticks), **generics}
 
 
 def _least_clock_of(interface: Interface) -> int:
-    """Return the slowest clock that makes sense for an interface."""
+    """Return the lowest useful clock frequency of an interface, in Hz."""
     if not interface.cores:
         return _LEAST_CLOCK_HZ
     generics = [item for part in interface.cores if part.core is not None for item in part.core.generics.items()]
@@ -77,7 +76,7 @@ def _least_clock_of(interface: Interface) -> int:
 
 
 def _base_of(interface: Interface, clock_hz: int, groups: int) -> int:
-    """Return the base frequency in mHz of an interface at a slow clock, with cycles for each group between ticks."""
+    """Return the base frequency of an interface in mHz, low enough for the cycles of all groups between two ticks."""
     most = clock_hz * 1000 // (groups + _ROUND_CYCLES)
     usual = next((base for base in _USUAL_BASES if base <= most), _USUAL_BASES[-1])
     return base_millihertz(interface.groups, usual)
@@ -86,7 +85,7 @@ def _base_of(interface: Interface, clock_hz: int, groups: int) -> int:
 def _clocked(
     interface: Interface, given: Mapping[str, int], fields: Mapping[str, int], least_hz: int
 ) -> dict[str, int]:
-    """Return the generics of an interface with a clock, unless one is given the slowest that its cores allow."""
+    """Return the generics of an interface with its clock: the given one, or the slowest that its cores allow."""
     while True:
         generics = dict(given)
         if "base_frequency_millihertz" not in fields and ("clock_hz" in fields or interface.cores):
@@ -102,17 +101,17 @@ def _clocked(
 def configuration_of(
     interface: Interface, fields: Mapping[str, int], node: int | None, *, unchecked: bool = False
 ) -> Configuration:
-    """Return the configuration of an interface, which is to be made: the gateway with the register bank.
+    """Return the configuration of an interface, a gateway with a register bank, whose C++ must still be made.
 
     Args:
-        interface: of a spec.
-        fields: of `GatewayInfo` that are to be otherwise.
-        node: its number on a medium that several share, None for a medium of its own.
-        unchecked: whether the user's VHDL is not compared with its Verilog.
+        interface: interface of a spec.
+        fields: fields of `GatewayInfo` that differ from the spec's defaults.
+        node: node number on a shared medium; None if the medium is not shared.
+        unchecked: True if the user's VHDL is not compared with its Verilog.
 
     Raises:
-        ArgumentError: for a configuration that the gateware does not have.
-        UnsupportedError: where addresses belong to two modules alike.
+        ArgumentError: if the gateware does not support the configuration.
+        UnsupportedError: if the addresses of two modules overlap.
     """
     for name in ("address_bits", "data_bits"):
         if fields.get(name, getattr(interface, name)) != getattr(interface, name):
@@ -124,7 +123,7 @@ def configuration_of(
     generics = _clocked(interface, given, fields, _least_clock_of(interface))
     if not generics["fingerprint"] and "build_id" not in fields:
         generics["build_id"] = 0
-    # As the generated gateway finds it.
+    # The generated gateway computes this generic in the same way.
     generics["fingerprint"] = generics["build_id"] == interface.fingerprint
     generics["description"] = bool(generics["description"] and interface.is_described)
     check_generics(generics)
@@ -136,10 +135,10 @@ def configuration_of(
 
 
 def _design_of(interface: Interface, generics: Mapping[str, int], *, unchecked: bool) -> Design:
-    """Return the gateway of an interface with its register bank, on a FIFO, with these generics as defaults.
+    """Return the gateway of an interface with its register bank and a FIFO, with the given defaults of generics.
 
     Raises:
-        UnsupportedError: where addresses belong to two modules alike.
+        UnsupportedError: if the addresses of two modules overlap.
     """
     given = {"physical": 'string := "fifo"', "flow_control": "boolean := true"}
     left = _OF_THE_BANK if interface.is_described else _OF_THE_BANK | {"description"}
@@ -155,9 +154,9 @@ def _design_of(interface: Interface, generics: Mapping[str, int], *, unchecked: 
 
 
 def ports_of(interface: Interface) -> dict[str, dict[str, str]]:
-    """Return names of the ports of each signal in the design of an interface, by its path and their `Pins`.
+    """Return the names of each signal's ports in the design of an interface, by path of the signal and kind of port.
 
-    Those of a register at pins are the pins; none says that it was written.
+    The ports of a register at pins are the pins; no port shows that such a register was written.
     """
     found: dict[str, dict[str, str]] = {}
     bank = Bank(interface)
@@ -170,17 +169,17 @@ def ports_of(interface: Interface) -> dict[str, dict[str, str]]:
 
 
 def _declared(name: str, value: int) -> str:
-    """Write type and default of a generic."""
+    """Return the VHDL type and default of a generic."""
     if name in ("crc_polynomial", "build_id"):
         return f'std_logic_vector(31 downto 0) := x"{value:08X}"'
     return f"boolean := {str(value).lower()}" if isinstance(value, bool) else f"integer := {value}"
 
 
 def configuration_of_node(info: GatewayInfo, node: int) -> Configuration:
-    """Return the configuration of a node on a medium that several share, which is to be made.
+    """Return the configuration of a node on a shared medium, whose C++ must still be made.
 
     Raises:
-        ArgumentError: for a configuration that the gateware does not have.
+        ArgumentError: if the gateware does not support the configuration.
     """
     fields = {name: getattr(info, name) for name in GatewayInfo.__struct_fields__ if name != "protocol_version"}
     generics = {**_as_generics(fields), "node": node}
@@ -199,10 +198,10 @@ def _as_generics(fields: Mapping[str, int]) -> dict[str, int]:
 
 
 def made(configuration: Configuration) -> Configuration:
-    """Return a configuration with its C++, which is made unless there is some.
+    """Return a configuration with its C++; make the C++ if neither the installation nor the cache has it.
 
     Raises:
-        ConnectError: where a tool is missing, or refuses the gateware, or the result cannot be kept.
+        ConnectError: if a tool is missing or refuses the gateware, or the C++ cannot be stored.
     """
     path = _path_of(configuration)
     if path is None:
@@ -214,23 +213,23 @@ def made(configuration: Configuration) -> Configuration:
 
 
 async def make_beside(configuration: Configuration) -> Configuration:
-    """Do what `made` does while the event loop goes on; cancellation ends the tools.
+    """Return a configuration as `made` does, without blocking the event loop; cancellation ends the tools.
 
     Raises:
-        ConnectError: as `made`.
+        ConnectError: as for `made`.
     """
     path = _path_of(configuration)
     if path is None:
         return configuration
     if not is_whole(path):
         with _making(configuration, path) as process:
-            # A thread waits, for processes of asyncio need a loop that watches children.
+            # Wait in a thread, because not all event loops support processes of asyncio.
             _check(configuration, process, (await asyncio.to_thread(process.communicate))[1])
     return configuration.made(path)
 
 
 def _path_of(configuration: Configuration) -> Path | None:
-    """Return where the C++ of a configuration is, or is to be; None for one that is part of the installation."""
+    """Return the path of a configuration's C++ in the cache; None for a configuration of the installation."""
     if not configuration.generics:
         return None
     from unity_link.virtual.rtl.making import origin
@@ -241,8 +240,8 @@ def _path_of(configuration: Configuration) -> Path | None:
 
 @contextlib.contextmanager
 def _making(configuration: Configuration, path: Path) -> Iterator[subprocess.Popen[bytes]]:
-    """Run what makes the C++ of a configuration, and tell how long that has taken."""
-    # What is missing at the end is told at the beginning.
+    """Run the tools that make the C++ of a configuration, and log the duration."""
+    # Report a missing C++ compiler before the tools run.
     compiler()
     log.warning("building the gateware of %s: once, this takes half a minute or so", configuration.name)
     began = time.monotonic()
@@ -267,7 +266,7 @@ def _making(configuration: Configuration, path: Path) -> Iterator[subprocess.Pop
 
 
 def _check(configuration: Configuration, process: subprocess.Popen[bytes], said: bytes) -> None:
-    """Log what the tools say of the user's files; raise `ConnectError` if they have failed."""
+    """Log the tools' messages about the user's files; raise `ConnectError` if the tools have failed."""
     lines = said.decode(errors="replace").strip().splitlines()
     if not process.returncode:
         for line in lines:

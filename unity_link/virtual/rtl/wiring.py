@@ -1,9 +1,9 @@
-"""The signals of a simulated robot, joined with the ports of the compiled register bank.
+"""Connects the signals of a simulated robot to the ports of the compiled register bank.
 
-A signal that hardware gives drives its port when the model sets it. One that a program writes takes the bits of its
-port when that is written, and `written` of the model is called in the clock cycle in which the new value stands there;
-where it stands at pins, it is called in the model's step behind a change. FIFO ports are queues that offer and take a
-word at the edges at which the gateware does.
+When the model sets a signal that hardware provides, the signal's port is driven. When a program writes a signal, the
+signal gets the bits of its port, and `written` of the model is called in the clock cycle in which the port has the new
+value. For a signal at pins, `written` is called in the model's first step after a change. FIFO ports are queues, which
+transfer words at the same clock edges as the gateware.
 """
 
 from __future__ import annotations
@@ -29,24 +29,24 @@ _LOG = logging.getLogger("unity_link.virtual")
 
 
 class Given:
-    """A signal that hardware gives."""
+    """A signal that hardware provides."""
 
     def look(self, cell: Cell) -> None:
-        """Show the value as it is."""
+        """Do nothing: the model may read the value."""
 
     def __init__(self, port: Port) -> None:
         self._port = port
 
     def drive(self, cell: Cell, raw: int) -> None:
-        """Drive the port; while it is frozen, keep that as it is."""
+        """Drive the port, unless it is frozen."""
         if cell.fault is None:
             self._port.drive(raw)
 
     def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
-        """Begin to keep the port as it is, or end that.
+        """Freeze the port; None ends that.
 
         Raises:
-            ArgumentError: for another fault.
+            ArgumentError: if the fault is another one.
         """
         if fault is None:
             self._port.drive(cell.raw)
@@ -55,11 +55,11 @@ class Given:
 
 
 class Events(Given):
-    """A signal of which hardware sets bits, in a register that keeps them until accesses clear them.
+    """A signal whose bits hardware sets, and accesses of programs clear.
 
     Args:
-        port: that sets them.
-        gateway: that has the register.
+        port: port that sets bits.
+        gateway: gateway with the register.
     """
 
     def __init__(self, port: Port, gateway: RtlGateway) -> None:
@@ -67,18 +67,18 @@ class Events(Given):
         self._gateway = gateway
 
     def look(self, cell: Cell) -> None:
-        """Refuse a look.
+        """Raise an error: a model cannot read the register.
 
         Raises:
             ArgumentError: always.
         """
         raise ArgumentError(
-            f"{cell.signal.path} has {cell.signal.effect}, and its bits are in a register of the gateware: a model "
-            "sets them and cannot look at them, or takes sim:"
+            f"{cell.signal.path} has {cell.signal.effect}, and its bits are in a register of the gateware: a model can "
+            "set the bits and not read them; use sim: to read them"
         )
 
     def drive(self, cell: Cell, raw: int) -> None:
-        """Set bits, in one clock cycle at least."""
+        """Set bits of the register, by driving the port for at least one clock cycle."""
         if cell.fault is None and raw:
             self._port.drive(self._port.value | raw)
             self._port.drive(0, self._gateway.cycles + 2)
@@ -97,17 +97,17 @@ class Got:
     """A signal that a program writes, or a FIFO port."""
 
     def look(self, cell: Cell) -> None:
-        """Show the value as it is."""
+        """Do nothing: the model may read the value."""
 
-    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
-        """Refuse a value of the model.
+    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (it always raises)
+        """Raise an error: only programs write the register.
 
         Raises:
             ArgumentError: always.
         """
         raise ArgumentError(
             f"{cell.signal.path} is {cell.signal.access}, and its register in the gateware changes with the writes of "
-            "programs alone: a model sets what is READ, or takes sim:"
+            "programs alone: a model can set READ signals only; use sim: to set others"
         )
 
     def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
@@ -121,29 +121,29 @@ class Got:
 
 
 class OfCore:
-    """A signal of a core, which the compiled gateware has: a model meets it at its pins.
+    """A signal of a core in compiled gateware; a model uses the core's pins instead.
 
     Args:
-        pins: the core's side of these; None where its Python has none.
+        pins: model of the core's pins; None if the core has none.
     """
 
     def __init__(self, pins: AtPins | None) -> None:
         self._pins = pins
 
     def look(self, cell: Cell) -> None:
-        """Show the value that is at the pins, or was set.
+        """Check that the model of the pins knows the value.
 
         Raises:
-            ArgumentError: for a signal that they do not tell.
+            ArgumentError: if the signal is not visible at the pins.
         """
         if self._pins is None or cell.signal.name not in self._pins.shows | self._pins.takes:
             raise self._refusal(cell)
 
-    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (the step behind this one drives the pins)
-        """Take a value of the model.
+    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (the step after this one drives the pins)
+        """Accept a value from the model, which the model of the pins applies later.
 
         Raises:
-            ArgumentError: for a signal that does not come from the pins.
+            ArgumentError: if the signal does not come from the pins.
         """
         if self._pins is None or cell.signal.name not in self._pins.takes:
             raise self._refusal(cell)
@@ -167,45 +167,45 @@ class OfCore:
 
 
 class PinLevels(MutableMapping[str, int]):
-    """Levels of the pins of a core, at the ports of the design: inputs are driven, outputs looked at.
+    """Levels of a core's pins, at the ports of the design: inputs can be driven, and outputs read.
 
-    A pin of both directions has what the gateware drives, else what it is driven to.
+    A bidirectional pin has the gateware's level while the gateware drives it, and otherwise the level that was set.
 
     Args:
-        gateway: that has them.
-        ports: of each pin, by its name: the one that is driven, the level that comes out, and whether one does.
+        gateway: gateway with the ports.
+        ports: ports of each pin by name: the input, the output, and the output enable; None if there is none.
     """
 
     def __init__(self, gateway: RtlGateway, ports: Mapping[str, tuple[Port | None, Port | None, Port | None]]) -> None:
         self._gateway, self._ports = gateway, ports
         self._counted: dict[str, tuple[int, int]] = {}
-        """Cycles in which an output was 1, of all of its cycles, when it was looked at last."""
+        """Number of cycles in which each output was 1, and number of all cycles, at the last call of `duty`."""
 
     def has(self, name: str) -> bool:
-        """Return whether the core has this pin."""
+        """Return True if the core has this pin."""
         return any(self._ports.get(name, ()))
 
     def drive(self, name: str, level: int, cycle: int) -> None:
         """Drive a pin from a clock cycle on.
 
         Raises:
-            ArgumentError: for an output.
+            ArgumentError: if the pin is an output.
         """
         self._input(name).drive(level, cycle)
 
     def duty(self, name: str) -> float | None:
-        """Return in which part of the clock cycles since the last call an output was 1; None where there were none."""
+        """Return the fraction of the clock cycles since the last call in which an output was 1; None without cycles."""
         _, output, _ = self._ports[name]
         assert output is not None
         high, cycles = output.counts()[0].high, self._gateway.cycles
         before, self._counted[name] = self._counted.get(name), (high, cycles)
         if before is None or cycles <= before[1]:
             return None
-        # Behind a reset, cycles begin anew.
+        # After a reset, the number of cycles restarts at 0.
         return min((high - before[0]) / (cycles - before[1]), 1.0)
 
     def steps(self, pulse: str, direction: str) -> int:
-        """Return the pulses of an output since the reset, or the first call, with another 0, less those with 1."""
+        """Return the pulses since the reset or the first call: those with direction 0, minus those with direction 1."""
         outputs = [self._ports[name][1] for name in (pulse, direction)]
         assert outputs[0] is not None
         assert outputs[1] is not None
@@ -222,7 +222,7 @@ class PinLevels(MutableMapping[str, int]):
         """Drive a pin.
 
         Raises:
-            ArgumentError: for an output.
+            ArgumentError: if the pin is an output.
         """
         self._input(name).drive(level)
 
@@ -233,7 +233,7 @@ class PinLevels(MutableMapping[str, int]):
         return driven
 
     def __delitem__(self, name: str) -> None:
-        """Refuse."""
+        """Raise TypeError: pins cannot be deleted."""
         raise TypeError(name)
 
     def __iter__(self) -> Iterator[str]:
@@ -253,16 +253,16 @@ def _impossible(cell: Cell, fault: SignalFault) -> ArgumentError:
 
 
 class RobotPorts:
-    """All signals of a robot that are in the register bank.
+    """All signals of a robot, connected to their ports in the compiled register bank.
 
     Args:
-        gateway: that has the ports.
-        robot: whose signals these are.
-        ports: names of the ports of each signal, by its path, and what they are of it (`Pins`).
-        offered: paths of the FIFO ports that a group publishes as soon as they have a word.
+        gateway: gateway with the ports.
+        robot: the robot.
+        ports: names of each signal's ports, by path of the signal and kind of port.
+        offered: paths of the FIFO ports that a triggered group publishes as soon as they have a word.
 
     Raises:
-        ArgumentError: where the robot has set what only programs write.
+        ArgumentError: if the robot has set a signal that only programs write.
     """
 
     def __init__(
@@ -273,7 +273,7 @@ class RobotPorts:
         self._queues: list[Queue] = []
         self._got: list[tuple[Cell, Port]] = []
         self._at_pins: list[tuple[Cell, Port]] = []
-        """Those of which no port says that they were written."""
+        """Signals at pins, which have no port that shows a write."""
         for path, names in ports.items():
             cell = robot.cells[path]
             pins = {pin: gateway.ports[name] for pin, name in names.items()}
@@ -296,12 +296,12 @@ class RobotPorts:
                 robot.cells[signal.path].wire = OfCore(robot.cores.at_pins.get(part.path))
 
     def take_all(self) -> None:
-        """Take what stands at the ports, as behind a reset, which pulses none of them."""
+        """Read the values of all ports, for example after a reset, which does not pulse the ports."""
         for cell, port in self._got:
             cell.take(port.value)
 
     def tell_of_pins(self) -> None:
-        """Pass what programs have written to signals at pins on to the model."""
+        """Call `written` of the model for signals at pins that programs have changed."""
         for cell, port in self._at_pins:
             if cell.raw != port.value:
                 cell.accept(port.value)
@@ -313,7 +313,7 @@ class RobotPorts:
             cell.wire.drive(cell, cell.raw)
         self._got.append((cell, got))
         if written is None and cell.signal.effect is Effect.PULSE:
-            # At pins it is seen in its only cycle.
+            # A pulse at pins lasts one cycle, and its port is also the port that shows the write.
             written = got
         if written is None:
             self._at_pins.append((cell, got))
@@ -355,12 +355,12 @@ class RobotPorts:
         show()
 
     def _tell(self, cell: Cell) -> None:
-        """Pass a write on to the model, whose time passes up to it first."""
+        """Call `written` of the model, after the model was advanced to the time of the write."""
         try:
             self._robot.pass_time(self._gateway.time)
             self._robot.tell_written(cell)
         except AccessError:
-            # Its step has failed, which the log has.
+            # The model's step has failed, which is logged already.
             return
         except ANY_ERROR as error:
             if type(error) not in self._told:

@@ -1,16 +1,16 @@
-/* The compact form: two digits a byte, between bytes that no text has (docs/protocol.md, The compact form). -------------
+/* The compact form: two digits in each byte, between delimiters of its own (docs/protocol.md, The compact form). ------
  *
- * What is above sees text. A frame that has begun is shown when it has ended.
+ * The other parts of the runtime see only text. The text of a frame is complete once the frame has ended.
  */
 
 enum { COMPACT_START = {{ COMPACT.START }}, COMPACT_END = {{ COMPACT.END }} };
 enum { COMPACT_ESCAPE = {{ COMPACT.ESCAPE }}, COMPACT_STUFFED = {{ COMPACT.STUFFED }} };
 
-/* Commands that have this form, each at its number: those below FIRST_WITHOUT_ADDRESS name an address. */
+/* Commands with a compact form, by number. Commands below FIRST_WITHOUT_ADDRESS have an address. */
 static const char COMPACT_COMMANDS[][3] = { {{ COMPACT.COMMANDS | map("tojson") | join(", ") }} };
 enum { FIRST_WITHOUT_ADDRESS = 8, COMPACT_COMMAND_COUNT = sizeof COMPACT_COMMANDS / sizeof *COMPACT_COMMANDS };
 
-/* Whether a digit 0 stands behind the number of a command, for an even number of digits. */
+/* Whether a digit 0 follows the number of a command, to make the number of digits even. */
 static bool is_filled(const ul_link *link, unsigned command, unsigned sender)
 {
     const char *letters = COMPACT_COMMANDS[command];
@@ -31,7 +31,7 @@ static char *put_compact_byte(char *at, unsigned byte)
     return at;
 }
 
-/* The number of a command; COMPACT_COMMAND_COUNT where it has no compact form. */
+/* The number of a command; COMPACT_COMMAND_COUNT if it has no compact form. */
 static unsigned number_of(const char *command)
 {
     unsigned number = 0;
@@ -39,7 +39,8 @@ static unsigned number_of(const char *command)
     return number;
 }
 
-/* Put a frame of ours, which stands COMPACT_ROOM or more behind, into compact form; one that has none stays text. */
+/* Write a frame of the host in compact form, or as text if its command has no compact form. The text of the frame
+ * may be in the same buffer, COMPACT_ROOM or more bytes after `at`. */
 enum { COMPACT_ROOM = 4 };
 
 static char *put_compact(const ul_link *link, char *at, text frame)
@@ -59,12 +60,12 @@ static char *put_compact(const ul_link *link, char *at, text frame)
     at = put_compact_byte(at, command << 4 | (unsigned)byte);
     while (take_number(&rest, 2, &byte)) at = put_compact_byte(at, (unsigned)byte);
     *at++ = (char)COMPACT_END;
-    /* For the sake of nodes without the form, which know no other end. */
+    /* LF, because nodes without the compact form recognise no other end. */
     if (link->node >= 0) *at++ = CHECKED_END;
     return at;
 }
 
-/* Write the text of a byte of a frame of theirs. */
+/* Write the text of a byte in a frame of the gateway. */
 static char *put_expanded(ul_link *link, char *at, unsigned byte)
 {
     if (link->compact_place == UL_AT_NODE) {
@@ -77,7 +78,8 @@ static char *put_expanded(ul_link *link, char *at, unsigned byte)
     return is_filled(link, byte >> 4, THEIRS) ? at : put_number(at, 1, byte);
 }
 
-/* End the text of a cut frame (docs/protocol.md, Cut frames): by a character that is no digit, so that no check fits. */
+/* End the text of a truncated frame (docs/protocol.md, Cut frames) with a character that is no digit, so that its
+ * CRC is wrong. */
 static char *put_cut(char *at)
 {
     *at++ = (char)COMPACT_END;
@@ -85,8 +87,8 @@ static char *put_cut(char *at)
     return at;
 }
 
-/* Make text of received bytes, and return its size. A byte becomes MOST_EXPANDED characters at most, so the bytes may be at
- * the end of the buffer of the text, if it has room for that many. */
+/* Convert received bytes to text, and return the size of the text. A byte becomes at most MOST_EXPANDED characters.
+ * The bytes may be at the end of the same buffer, if the buffer has room for that many characters. */
 enum { MOST_EXPANDED = 3 };     /* Z and two digits of a node, or two letters and a digit */
 
 static size_t expand(ul_link *link, char *to, const char *from, size_t size)
@@ -96,7 +98,7 @@ static size_t expand(ul_link *link, char *to, const char *from, size_t size)
         unsigned byte = (unsigned char)from[index];
         bool ends_line = is_line_end(from[index]), follows_end = link->follows_end;
         link->follows_end = link->node >= 0 && byte == COMPACT_END;
-        /* On a shared medium it belongs to the frame. */
+        /* On a shared medium this LF belongs to the frame before it. */
         if (follows_end && byte == CHECKED_END) continue;
         if (byte == COMPACT_START) {
             if (link->in_compact || link->in_line) at = put_cut(at);

@@ -1,25 +1,27 @@
-/* Datagrams: headers that tell what is late, doubled or of another session (docs/protocol.md, Datagrams). ---------------
+/* Datagrams: headers that identify late, duplicate and foreign datagrams (docs/protocol.md, Datagrams). ---------------
  *
- * The transport carries datagrams, whole or not at all. Each gets a header behind which whole frames stand; of those that
- * come, what is not newer is dropped. What is left is a line that keeps the order and may lose frames.
+ * The transport delivers whole datagrams or loses them. Each datagram has a header, followed by complete frames.
+ * Received datagrams that are not newer than all before are dropped. The result is a line that keeps the order and may
+ * lose frames.
  */
 
-enum { MOST_HEADER = {{ PATH.MOST_AROUND }}, LONGEST_REST = 48 };     /* in a datagram beside frames; of a frame beside words */
+/* Longest header of a datagram, and the largest number of characters of a frame in addition to its words. */
+enum { MOST_HEADER = {{ PATH.MOST_AROUND }}, LONGEST_REST = 48 };
 
-/* Lengths of datagrams that are tried in turn, and how many openings of one length are not answered before the next. */
+/* Lengths of datagrams that are tried in turn, and the number of unanswered openings before the next length. */
 static const size_t LENGTHS[] = { {{ PATH.LENGTHS | join(", ") }} };
 enum { SHORTEST_LENGTH = {{ PATH.LENGTHS[-1] }}, PATH_TRIES = {{ PATH.TRIES }} };
 
 static const char SESSION_OVER[] = "the gateway was reset, or another program has opened a session with it";
 
-/* Bytes of the longest frame that goes in one piece with its header. */
+/* The length in bytes of the longest frame that fits into a datagram. */
 static size_t longest_frame(const ul_link *link)
 {
     size_t fits = link->largest_datagram - MOST_HEADER;
     return link->transport.datagrams && fits < UL_LONGEST_FRAME ? fits : UL_LONGEST_FRAME;
 }
 
-/* How many words, of so many that the gateway takes, have room in a frame here. */
+/* The number of words that fit into a frame here, at most `words`, the gateway's limit. */
 static unsigned most_in_frame(const ul_link *link, unsigned words)
 {
     unsigned digits = link->data_digits > link->address_digits ? link->data_digits : link->address_digits;
@@ -34,14 +36,14 @@ static void use_length(ul_link *link, size_t largest)
     link->block_words = most_in_frame(link, link->info.block_words);
 }
 
-/* Use the length that the system knows for the network. */
+/* Use the length of datagrams that the system knows for the network. */
 static void learn_length(ul_link *link)
 {
     if (link->transport.longest_datagram != NULL)
         use_length(link, link->transport.longest_datagram(link->transport.context));
 }
 
-/* The opening of a session in a datagram of the longest length was not answered. */
+/* Record that the opening of a session, in a datagram of the present length, was not answered. */
 static void shorten_length(ul_link *link)
 {
     size_t next = SHORTEST_LENGTH;
@@ -57,7 +59,7 @@ static text without_line_ends(text line)
     return line;
 }
 
-/* Take the end of a frame off the front, behind what was read of it since `start`: its check and LF, or CR. */
+/* Remove the end of a frame from the front of `rest`: its CRC and LF, or CR. `start` is the beginning of the frame. */
 static bool take_end(const ul_link *link, const char *start, text *rest)
 {
     text body = {start, (size_t)(rest->at - start)};
@@ -80,7 +82,7 @@ static bool is_refusal(const ul_link *link, text frames)
     return take_end(link, frames.at, &rest);
 }
 
-/* Whether a datagram is newer than all before, which its count tells; 00000000 stands outside. */
+/* Whether a datagram is newer than all before, by its count; the count 00000000 is outside of the sequence. */
 static bool takes_count(ul_link *link, uint32_t count)
 {
     uint32_t ahead = count - link->taken_datagrams;
@@ -89,7 +91,8 @@ static bool takes_count(ul_link *link, uint32_t count)
     return true;
 }
 
-/* Whether the frames of a datagram of a session and with a count are for this link. Ends it where its session is over. */
+/* Whether the frames of a datagram, with its session and count, are for this link. If the gateway reports that the
+ * session is over, end the link. */
 static bool takes_datagram(ul_link *link, uint32_t session, uint32_t count, text frames)
 {
     bool refused = count == 0 && is_refusal(link, frames);
@@ -103,7 +106,7 @@ static bool takes_datagram(ul_link *link, uint32_t session, uint32_t count, text
     return takes_count(link, count);
 }
 
-/* Leave the frames of a datagram in its place that are for this link, and give how many bytes they are. */
+/* Replace a datagram by those of its frames that are for this link, and return their size in bytes. */
 static size_t take_datagram(ul_link *link, char *at, size_t size)
 {
     text start = without_line_ends((text){at, size}), frames = start;
@@ -116,17 +119,18 @@ static size_t take_datagram(ul_link *link, char *at, size_t size)
     } else if (link->datagram_session != 0) {
         return 0;
     } else {
-        frames = start;     /* a gateway of an earlier version, which says so */
+        frames = start;     /* from a gateway with an earlier version of the protocol, which reports its version */
     }
     size_t left = frames.size;
     memmove(at, frames.at, left);
     if (left == 0 || left == size || (link->compact && at[left - 1] == (char)COMPACT_END)) return left;
-    /* A frame that was cut at the end of its datagram does not spoil the next. */
+    /* Add an end to a frame that was truncated at the end of its datagram, so that it does not damage the next
+     * frame. */
     if (at[left - 1] != CHECKED_END) at[left++] = CHECKED_END;
     return left;
 }
 
-/* How many bytes of whole frames go in one datagram: one frame at least. */
+/* The number of bytes of complete frames that fit into a datagram; at least one frame. */
 static size_t piece_of(text frames, size_t room)
 {
     size_t end = 0;
@@ -135,7 +139,7 @@ static size_t piece_of(text frames, size_t room)
     return end == 0 ? frames.size : end;
 }
 
-/* Whether frames can be sent: the first `K` opens the session that is on offer; without an offer it is as good as lost. */
+/* Whether frames can be sent. The first `K` opens the offered session; without an offer, the frames count as lost. */
 static bool opens_session(ul_link *link, text frames)
 {
     text first = without_line_ends(frames);
@@ -145,7 +149,7 @@ static bool opens_session(ul_link *link, text frames)
     return link->datagram_session != 0;
 }
 
-/* Send what has room in a datagram, from a place on; as the transport's `send`. */
+/* Send the frames from `from` on that fit into a datagram. The result is that of the transport's `send`. */
 static ptrdiff_t send_datagram(ul_link *link, const char *from, size_t size)
 {
     char datagram[MOST_HEADER + UL_LONGEST_FRAME], *at = datagram;

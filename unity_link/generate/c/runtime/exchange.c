@@ -1,12 +1,13 @@
-/* Exchange: requests go out, answers find their requests. --------------------------------------------------------------
+/* Exchange: sends requests, and matches answers to them. --------------------------------------------------------------
  *
- * Receiving only changes the window and the samples that wait; it never sends. So bytes can be taken in while bytes
- * cannot be got rid of, and neither side waits for the other. All sending is done by `turn`, `start` and those above.
+ * Receiving changes only the window and the stored samples; it never sends. Bytes can therefore be received while the
+ * transport accepts none, and neither side waits for the other. All bytes are sent by `turn`, `start` and their
+ * callers.
  */
 
 enum { MOST_READS = 16 };
-enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* in the place of a code that no error of a gateway has */
-static const uint32_t UNCOUNTED = UINT32_MAX;   /* failed posted writes, where none were counted */
+enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* replaces codes that no error of a gateway has */
+static const uint32_t UNCOUNTED = UINT32_MAX;   /* number of failed posted writes, if the gateway did not count them */
 static const char RESET[] = "the gateway was reset, which ends the link";
 static const char TAKEN[] =
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
@@ -38,13 +39,14 @@ static bool is_lost(ul_status status)
     return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
 }
 
-/* The option that may help if answers are missing; empty where no shorter datagram is possible. */
+/* Advice for missing answers: the option for shorter datagrams; empty if no shorter datagrams are possible. */
 static const char *path_advice(const ul_link *link)
 {
     return link->transport.datagrams && link->largest_datagram > {{ PATH.LENGTHS[-1] }} ? MTU_HINT : "";
 }
 
-/* Leave a sentence for `ul_error`. Without a reason it is that of the status, and of a lost link what ended it. */
+/* Store a sentence for `ul_error`, and return the status. Without a reason the sentence has the text of the status,
+ * or the end of a lost link. */
 static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
 {
     const char *between = *what == '\0' ? "" : ": ", *outcome = "", *hint = "";
@@ -66,7 +68,8 @@ static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint
     return fail(link, status, where, reason);
 }
 
-/* The same for the first error of a batch. Of a signal the sentence names it, and why a lease has it refused. */
+/* Store a sentence about the first error of a batch. It has the path of a signal, and the reason if a lease refuses
+ * the write. */
 static ul_status fail_batch(ul_link *link, const ul_batch *batch)
 {
     const ul_signal *signal = batch->signal;
@@ -79,7 +82,8 @@ static ul_status fail_batch(ul_link *link, const ul_batch *batch)
     return fail_at(link, batch->status, what, batch->address, reason);
 }
 
-/* Put the end of a request into its batch, if it has one. Nothing of the caller's is touched for it any more. */
+/* Record the end of a request in its batch, if it has one. After that the caller's memory is not accessed for this
+ * request. */
 static void settle(const ul_request *request, ul_status status)
 {
     ul_batch *batch = request->batch;
@@ -100,7 +104,7 @@ static void settle(const ul_request *request, ul_status status)
     if (batch->answered > 0 && batch->status == UL_LOST_NOT_EXECUTED) batch->status = UL_LOST;
 }
 
-/* End a request before it has begun. */
+/* Record in a batch that a request is refused before it is sent. */
 static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t address, const char *reason)
 {
     if (batch == NULL || batch->status != UL_OK) return;
@@ -110,7 +114,7 @@ static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t
     batch->reason = reason;
 }
 
-/* The session has ended, and all its requests with it: those from an ID on are known not to be executed. */
+/* End the session and all of its requests; requests from the ID `never` on are known not to be executed. */
 static void end_session(ul_link *link, uint32_t never, const char *end)
 {
     uint32_t executed = (link->executed - link->held) & link->ring_mask;
@@ -128,13 +132,13 @@ static void end_session(ul_link *link, uint32_t never, const char *end)
     link->bytes = 0;
 }
 
-/* The line has ended, of which nothing is known about the requests under way. */
+/* End the session because the line is lost; the outcome of requests in flight is unknown. */
 static void lose(ul_link *link, const char *end)
 {
     end_session(link, link->next, end);
 }
 
-/* End the link. From here on its transport is the caller's again, and not used any more. */
+/* Close the link. Its transport belongs to the caller again, and is not used any more. */
 static void shut(ul_link *link)
 {
     lose(link, "the link was closed");
@@ -148,13 +152,13 @@ static void shut(ul_link *link)
 
 {% include "runtime/datagrams.c" %}
 
-/* End what is sent together with an empty frame, so that damage to the end of the last one is found. */
+/* Append an empty frame to the bytes to send, so that damage to the end of the last frame is detected. */
 static void end_output(ul_link *link)
 {
     if (link->send_size > 0 && !is_half_duplex(link)) link->send[link->send_size++] = CHECKED_END;
 }
 
-/* Send all that waits. Before the link is open, no longer than opening may last; then it does not open. */
+/* Send all buffered bytes. While the link is being opened, stop at the time limit for opening. */
 static void flush(ul_link *link)
 {
     size_t sent = 0;
@@ -176,7 +180,7 @@ static void flush(ul_link *link)
             lose(link, SILENT);
         } else {
             link->transport.wait(link->transport.context, true, until - now < LONGEST_TIMEOUT ? until - now : LONGEST_TIMEOUT);
-            /* Before the link is open, who asks looks for the answer. */
+            /* While the link is being opened, only store the bytes: `ask` searches them for the answer. */
             if (link->open) receive_bytes(link);
             else fill(link);
         }
@@ -184,7 +188,7 @@ static void flush(ul_link *link)
     link->send_size = 0;
 }
 
-/* Put a request behind those that are to be sent, and leave room for an empty frame. */
+/* Append a request to the bytes to send, and leave room for an empty frame. */
 static void send_request(ul_link *link, const ul_request *request, uint32_t id)
 {
     size_t room = link->compact ? COMPACT_ROOM : 0;
@@ -200,7 +204,7 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
-/* Ask for the number of the session. */
+/* Send a session query, which asks for the number of the session. */
 static void ask_whose(ul_link *link)
 {
     if (link->send_size + question_size(link) >= sizeof link->send) flush(link);
@@ -210,22 +214,23 @@ static void ask_whose(ul_link *link)
     note_question(link);
 }
 
-/* No request is in flight, and no answer has come for so long that the session may be another program's by now. */
+/* Whether no request is in flight, and the last answer is so old that another program may have begun a session
+ * since. */
 static bool is_stale(const ul_link *link, double now)
 {
     return places_held(link) == 0 && now >= link->since + KEEP_ALIVE;
 }
 
-/* The ID of the `h` by which a proof asks for the next ID: no other is further ahead of that. */
+/* The ID of the `h` that asks for the next ID in a proof: the farthest one ahead of the next ID. */
 static uint32_t ahead_of_proof(const ul_link *link)
 {
     return (link->proof + link->ring_mask / 2) & link->ring_mask;
 }
 
-/* Prove that the session under way is this one, and not another program's of the same number. `K` asks for the number. An
- * `h` far ahead of the next ID asks for that ID: the gateway answers it by `n`. The `h` with the next ID is a request like
- * any other: `n` has come before its answer, or was lost. On a half-duplex medium one frame is sent at a time, and this
- * last one after `n`. */
+/* Begin to prove that the gateway's session is this one, and not another program's with the same number. `K` asks
+ * for the number. An `h` far ahead of the next ID is answered by `n` with the next ID. An `h` with the next ID is an
+ * ordinary request: when it is answered, `n` has arrived or was lost. On a half-duplex medium only one frame is sent
+ * at a time; this `h` is sent after `n` has arrived. */
 static void begin_proof(ul_link *link)
 {
     link->proof = link->next;
@@ -237,7 +242,7 @@ static void begin_proof(ul_link *link)
     else send_fence(link);
 }
 
-/* The `h` with the next ID was answered: let requests go on, or begin the next proof. */
+/* The `h` with the next ID was answered: send requests again, or begin another proof. */
 static void end_proof(ul_link *link)
 {
     if (link->is_proven) link->proofs = 0;
@@ -245,8 +250,8 @@ static void end_proof(ul_link *link)
     else begin_proof(link);
 }
 
-/* Ask that where sides take turns: alone, before what is sent again for the second time, and not twice in a row. Whether
- * the answer is waited for. */
+/* Send a session query on a half-duplex medium: alone, before a second retransmission, and not twice in a row.
+ * Whether its answer is awaited now. */
 static bool ask_alone(ul_link *link, double now)
 {
     bool was_asked = link->asked;
@@ -258,8 +263,8 @@ static bool ask_alone(ul_link *link, double now)
     return true;
 }
 
-/* Send again what is to be sent again now. Ahead of all goes the question whose the session is: the answer says how far
- * the line has come, too. */
+/* Retransmit requests, as many as may be sent now. A session query precedes them; its answer also shows which
+ * earlier frames the gateway has processed. */
 static void repeat(ul_link *link, double now)
 {
     uint64_t before = link->statistics.repetitions;
@@ -282,7 +287,7 @@ static void repeat(ul_link *link, double now)
     if (link->statistics.repetitions > before && !link->loses) end_output(link);
 }
 
-/* Whether lines come in place of answers, and more than what is sent can be the cause of. */
+/* Whether lines arrive that are no answers, more than the sent frames can cause. */
 static bool is_flooded(ul_link *link, double now)
 {
     uint32_t sent = link->sent - link->flood_sent;
@@ -296,7 +301,7 @@ static bool is_flooded(ul_link *link, double now)
     return false;
 }
 
-/* See what the time says, and send again what was lost. */
+/* Process timeouts, and retransmit lost requests. */
 static void recover(ul_link *link)
 {
     ul_request given_up = {.batch = NULL};
@@ -318,8 +323,8 @@ static void recover(ul_link *link)
         link->statistics.set_again += link->transport.set_again(link->transport.context);
 }
 
-/* Send what is to be sent, wait for something to happen, up to a time, and see to it. Who waits no more flushes what is
- * sent again then. */
+/* Send the buffered bytes, wait for an event until a time at most, and process it. Retransmissions are only
+ * buffered: a caller that does not wait again must call `flush`. */
 static void turn(ul_link *link, double until)
 {
     double deadline;
@@ -332,7 +337,7 @@ static void turn(ul_link *link, double until)
     recover(link);
 }
 
-/* Say what is wrong with a request, or NULL. */
+/* The fault of a request's arguments; NULL if it has none. */
 static const char *fault_of(const ul_link *link, const ul_request *request)
 {
     const shape *is = shape_of(request->command);
@@ -343,7 +348,7 @@ static const char *fault_of(const ul_link *link, const ul_request *request)
     return NULL;
 }
 
-/* Put a request under way, waiting for room. */
+/* Send a request, after waiting for room. */
 static void start(ul_link *link, ul_batch *batch, ul_request request)
 {
     const shape *is = shape_of(request.command);
@@ -378,7 +383,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
 
 /* Receiving */
 
-/* What a request has told of its end: fences behind it may have waited for that. */
+/* Record that the outcome of a request is known; fences after it may have waited for that. */
 static void note_told(ul_link *link, uint32_t id, double now)
 {
     link->statistics.responses++;
@@ -408,26 +413,27 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
         link->statistics.stray++;
         return;
     }
-    /* It would be taken for what has become of a request on this side; 08 was an error of version 02. */
+    /* Replace codes that are statuses of this side; 08 was an error of version 02 of the protocol. */
     if (number == UL_OK || number == 8 || number >= UL_LOST) number = UNKNOWN_ERROR;
     if (request->posted) link->failed = (link->failed + 1) & link->ring_mask;
     if (!is_fence(request)) settle(request, (ul_status)number);
-    /* It counts no posted writes: a server answers so while its gateway is away. Each is asked for. */
+    /* An error has no count of failed posted writes; a server answers so while it has lost its gateway. Ask for
+     * each. */
     else if (note_count(link, id, UNCOUNTED)) settle(request, UL_OK);
     note_told(link, id, now);
 }
 
-/* The ID that the gateway expects. */
+/* Process `n`, with the ID that the gateway expects. */
 static void take_gap(ul_link *link, uint32_t expected, double now)
 {
     bool proves = link->proofs > 0;
     link->is_proven = proves && expected == link->proof;
-    /* The `h` with this ID is on its way. */
+    /* The `h` with this ID is in flight. */
     if (link->is_proven && !is_half_duplex(link)) return;
     if (proves != link->is_proven || !note_gap(link, expected, now)) lose(link, TAKEN);
 }
 
-/* A message with an ID. */
+/* Process a message with an ID. */
 static void take_response(ul_link *link, text body, double now)
 {
     char command[3];
@@ -443,7 +449,7 @@ static void take_response(ul_link *link, text body, double now)
         return;
     }
     if (link->proofs > 0 && id == ahead_of_proof(link)) {
-        /* A gateway that expects the next ID answers this one by `n`. */
+        /* A gateway that expects the next ID would have answered by `n`. */
         lose(link, TAKEN);
         return;
     }
@@ -463,8 +469,9 @@ static void take_response(ul_link *link, text body, double now)
     note_told(link, (uint32_t)id, now);
 }
 
-/* Without a session the gateway executes nothing that has an ID, and answers what is left of the check of the request,
- * begun with 0. What is right for the one that was sent came whole, so neither that nor what is behind it was executed. */
+/* Process error 0A. Without a session the gateway executes no request with an ID, and answers with the residue of
+ * the request's CRC, computed with the initial value 0. If the residue is right for the sent request, the request
+ * arrived undamaged, so neither this request nor later ones were executed. */
 static void note_no_session(ul_link *link, text fields)
 {
     uint64_t id, code, rest;
@@ -481,7 +488,7 @@ static void note_no_session(ul_link *link, text fields)
     }
 }
 
-/* An answer to `K`: whose the session is. That to one with fields is another program's, or late. */
+/* Process the answer to a session query. An answer to a `K` with fields is that of another program, or late. */
 static void take_session(ul_link *link, text fields)
 {
     uint64_t session;
@@ -494,7 +501,7 @@ static void take_session(ul_link *link, text fields)
     else note_session_told(link, now_of(link));
 }
 
-/* An error without an ID is about a frame that was damaged, or that the gateway does not understand. */
+/* Process an error without an ID, which is about a damaged frame, or a frame that the gateway does not support. */
 static void take_nameless_error(ul_link *link, text code, double now)
 {
     uint64_t number;
@@ -509,7 +516,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
     }
 }
 
-/* A line that answers nothing. */
+/* Count a line that is no answer. */
 static void note_stray(ul_link *link)
 {
     link->statistics.stray++;
@@ -525,17 +532,17 @@ static void take_body(ul_link *link, text body, double now)
     else if (body.at[0] == 'K') take_session(link, without_first(body, 1));
 }
 
-/* Frames. What a frame begins as says how long it is. So one that has another byte in the place of its LF is known to be
- * damaged when that byte has come, and the next one begins behind it. */
+/* Frames. The beginning of a frame determines its length. If another byte arrives in the place of its LF, the frame
+ * is known to be damaged at once, and the next frame begins after that byte. */
 
-/* Whether a frame begins as error 0A does, which has a field more than others. */
+/* Whether a frame begins like error 0A, which has one field more than other errors. */
 static bool is_no_session(const ul_link *link, text body)
 {
     size_t head = 1 + link->info.id_digits;
     return body.size >= head + 2 && body.at[0] == 'x' && body.at[head] == '0' && body.at[head + 1] == 'A';
 }
 
-/* Characters of the body of a frame, as its beginning says; 0 where that does not. */
+/* The number of characters in the body of a frame, from its beginning; 0 if unknown. */
 static size_t body_size(const ul_link *link, text frame)
 {
     char command[3];
@@ -543,7 +550,7 @@ static size_t body_size(const ul_link *link, text frame)
     if (frame.at[0] == 'P') return sample_size(link, frame);
     text fields = take_command(frame, command);
     size_t head = strlen(command) + link->info.id_digits;
-    /* So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for. */
+    /* A sample with a damaged first letter may begin in the same way. On a half-duplex medium wait for the end. */
     if (strcmp(command, "X") == 0) return is_half_duplex(link) ? 0 : 3;
     if (strcmp(command, "K") == 0) return 1 + session_digits(link);
     if (strcmp(command, "n") == 0) return head;
@@ -557,14 +564,14 @@ static size_t body_size(const ul_link *link, text frame)
     return head + fields_size(link, is, request->count);
 }
 
-/* Characters of a frame beside its body, the LF included. */
+/* The number of characters of a frame in addition to its body, with the LF. */
 static size_t frame_overhead(const ul_link *link)
 {
     return prefix_size(link) + link->crc_digits + 1;
 }
 
-/* Characters of a frame, the LF included, as its beginning says; 0 where that does not, or it may be an echo, which begins
- * as the answer does. */
+/* The number of characters of a frame with its LF, from its beginning; 0 if unknown, or if the frame may be an echo,
+ * which begins like the answer. */
 static size_t frame_size(const ul_link *link, text frame)
 {
     if (link->transport.echoes) return 0;
@@ -572,16 +579,16 @@ static size_t frame_size(const ul_link *link, text frame)
     return body == 0 ? 0 : body + frame_overhead(link);
 }
 
-/* Whether a frame begins as a sample does, which is about no request. */
+/* Whether a frame begins like a sample, which belongs to no request. */
 static bool is_sample(const ul_link *link, text frame)
 {
     return take_prefix(link, &frame) && frame.size > 0 && frame.at[0] == 'P';
 }
 
-/* Take a damaged frame off the beginning of what came; how many characters that are. */
+/* Process a damaged frame at the beginning of the received text; return the number of characters to remove. */
 static size_t cut(ul_link *link, text frame, size_t size)
 {
-    /* What is as short as an error without an ID is one, damaged: one bit makes a P of an X. */
+    /* A frame as short as an error without ID is a damaged error: inverting one bit turns an X into a P. */
     size_t error_size = frame_overhead(link) + 3;
     bool sample = is_sample(link, frame) && frame.size >= error_size;
     size_t after_cut = size == 0 || size > frame.size + 1 ? frame.size + 1 : size;
@@ -589,7 +596,7 @@ static size_t cut(ul_link *link, text frame, size_t size)
     link->unasked++;
     if (!sample) {
         link->heard = true;
-        /* Where sides take turns, more of it may follow: the time shows its end. */
+        /* On a half-duplex medium more of the frame may follow; its end is determined by a timeout. */
         if (is_half_duplex(link)) return after_cut;
         if (frame.size + 1 == error_size) go_back(link, now_of(link));
         else note_damaged_answer(link, now_of(link));
@@ -597,8 +604,8 @@ static size_t cut(ul_link *link, text frame, size_t size)
     return after_cut;
 }
 
-/* Whether a line is what was sent, as an adapter gives it back that listens while it sends: the check has the direction
- * in it, and the length is that of the request. The last requests are still in their places. */
+/* Whether a line is the echo of a sent frame, from an adapter that receives while it sends. The CRC depends on the
+ * direction, and the length is that of the request. The last requests are still in their slots. */
 static bool is_echo(const ul_link *link, text line)
 {
     char command[3];
@@ -615,8 +622,8 @@ static bool is_echo(const ul_link *link, text line)
     return is_kept && strcmp(command, request->command) == 0 && size == request_size(link, request);
 }
 
-/* Take a line without a check. It is no answer; an error may be about a request in which damage has made a CR. How many
- * characters were taken. */
+/* Process a plain frame, which is no answer; an error may be about a request in which a byte became CR. Return the
+ * number of characters to remove. */
 static size_t take_plain(ul_link *link, text line)
 {
     text body = {line.at, line.size - 1};
@@ -632,7 +639,7 @@ static size_t take_plain(ul_link *link, text line)
     return line.size + 1;
 }
 
-/* Take what stands before an LF; how many characters were taken. */
+/* Process the text before an LF; return the number of characters to remove. */
 static size_t take_line(ul_link *link, text line)
 {
     text body = line, unbound = line;
@@ -651,10 +658,11 @@ static size_t take_line(ul_link *link, text line)
     return line.size + 1;
 }
 
-/* Take a frame about a request that has no LF where it should stand; how many characters were taken. */
+/* Process a frame that has another byte in the place of its LF; return the number of characters to remove, or 0 if
+ * the frame is not complete. */
 static size_t take_endless(ul_link *link, text rest)
 {
-    /* No request waits for a sample: its end may come with what follows it. */
+    /* Wait for the end of a sample, because no request waits for it. */
     size_t size = is_sample(link, rest) ? 0 : frame_size(link, rest);
     return size == 0 || rest.size < size ? 0 : cut(link, rest, size);
 }
@@ -664,7 +672,7 @@ static text unread(const ul_link *link)
     return (text){link->receive + link->receive_start, link->shown_size - link->receive_start};
 }
 
-/* Give the next whole line of what was received, without its end; false where there is none. */
+/* Remove the next complete line from the received text, and store it without its end; false if there is none. */
 static bool next_line(ul_link *link, text *line)
 {
     text rest = unread(link);
@@ -675,7 +683,7 @@ static bool next_line(ul_link *link, text *line)
     return true;
 }
 
-/* Take a frame of what was received; false where there is no whole one. */
+/* Process the next frame of the received text; false if there is no complete frame. */
 static bool take_frame(ul_link *link)
 {
     text rest = unread(link);
@@ -684,7 +692,8 @@ static bool take_frame(ul_link *link)
     if (end == NULL) {
         taken = take_endless(link, rest);
     } else if (end == rest.at) {
-        /* A server's sign that what was repeated is still under way; or the echo of what was sent. */
+        /* An empty frame: a server reports that a repeated request is still pending; or it is the echo of sent
+         * bytes. */
         link->heard |= !link->transport.echoes;
         link->unasked++;
         taken = 1;
@@ -695,7 +704,7 @@ static bool take_frame(ul_link *link)
     return taken > 0;
 }
 
-/* Fill the buffer; false where nothing came. A line longer than the buffer is none. */
+/* Receive bytes into the buffer; false if none arrived. A line that is longer than the buffer is dropped. */
 static bool fill(ul_link *link)
 {
     size_t rest = link->receive_size - link->receive_start;
@@ -726,11 +735,11 @@ static bool fill(ul_link *link)
 
 static void receive_bytes(ul_link *link)
 {
-    /* Not for ever, where samples come as fast as they are taken. */
+    /* Limit the number of reads: samples may arrive as fast as they are processed. */
     for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++) {
         while (!link->gone && take_frame(link)) continue;
         text rest = {link->receive + link->receive_start, link->receive_size - link->receive_start};
-        /* Perhaps the beginning of a long answer on a slow line. */
+        /* This may be the beginning of a long answer on a slow line. */
         if (rest.size > 0 && !is_sample(link, rest) && !link->transport.echoes) link->heard = true;
     }
 }

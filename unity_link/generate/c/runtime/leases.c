@@ -1,16 +1,17 @@
 /* Leases (docs/how-to/stop-safely.md). --------------------------------------------------------------------------------
  *
- * A word that arms or kicks names the end of the lease as an instant of the gateway's clock, so one that waits on its way
- * prolongs nothing. The clock is read first, and the end counts from that.
+ * A word that arms or kicks contains the end of the lease as a time of the gateway's clock, so that a delayed word does
+ * not extend the lease. The clock is read first, and the end is computed from that time.
  */
 
-/* Above the token stands what the owner wants on silence. */
+/* Widths of the end and the token in a word. The bit above the token is set if the lease finishes its schedule on
+ * silence. */
 enum { LEASE_TIME_BITS = 40, LEASE_TOKEN_BITS = 23 };
-/* States and reasons as the map of a LEASE numbers them. */
+/* Numbers of states and reasons in the map of a LEASE. */
 enum { LEASE_ARMED = 1, LEASE_FAULT, LEASE_FINISHING };
 enum { NEVER_ARMED, STOPPED_BY_ESTOP = 3 };
 
-/* What the registers of a lease contain. */
+/* The values of a lease's registers. */
 typedef struct lease_state {
     uint64_t clock, state, reason, arms, fault_time;
     bool estop_open;
@@ -21,7 +22,7 @@ static ul_status fail_lease(ul_link *link, const ul_lease *lease, const char *re
     return fail_at(link, UL_BUS_ERROR, lease->armed->signal.path, lease->armed->signal.address, reason);
 }
 
-/* Read the registers of a lease in one round trip, the state and the count in one transaction of the bus. */
+/* Read the registers of a lease in one round trip, with the state and the count in one bus transaction. */
 static ul_status read_lease(ul_link *link, const ul_guard *guard, lease_state *is)
 {
     uint64_t words[2], clock[UL_SIGNAL_WORDS], fault_time[UL_SIGNAL_WORDS];
@@ -41,7 +42,7 @@ static ul_status read_lease(ul_link *link, const ul_guard *guard, lease_state *i
     return UL_OK;
 }
 
-/* Whether a lease that is armed or finishing was armed by this program on this link. */
+/* Whether this program has armed a lease, which is armed or finishing, on this link. */
 static bool is_own(const ul_link *link, const ul_guard *guard, const lease_state *is)
 {
     for (unsigned place = 0; place < UL_LEASES; place++)
@@ -49,7 +50,7 @@ static bool is_own(const ul_link *link, const ul_guard *guard, const lease_state
     return false;
 }
 
-/* Put into `why` the reason for which writes under a lease are refused. */
+/* Write into `why` the reason why writes under a lease are refused. */
 static void show_why(const ul_link *link, const ul_guard *guard, const lease_state *is, char *why, size_t size)
 {
     const char *name = guard->path;
@@ -66,7 +67,8 @@ static void show_why(const ul_link *link, const ul_guard *guard, const lease_sta
                  (double)is->fault_time / (double)link->info.clock_hz);
 }
 
-/* The same from its registers. False if they cannot be read, or if this program has the lease: there is another reason. */
+/* Read a lease, and write into `why` the reason why writes are refused. False if the lease cannot be read, or if
+ * this program has armed it, so that there is another reason. */
 static bool say_why(ul_link *link, const ul_guard *guard, char *why, size_t size)
 {
     lease_state is;
@@ -82,7 +84,7 @@ static uint64_t lease_word(const ul_link *link, const ul_lease *lease, uint64_t 
     return lease->token << LEASE_TIME_BITS | (end & ((UINT64_C(1) << LEASE_TIME_BITS) - 1));
 }
 
-/* Keep which lease this program has armed; a place that is free, or else the oldest one, is taken. */
+/* Store that this program has armed a lease, in the lease's earlier place, or in a free place, or in the oldest one. */
 static void note_arming(ul_link *link, const ul_guard *guard, uint64_t count)
 {
     ul_armed *place = NULL;
@@ -92,7 +94,7 @@ static void note_arming(ul_link *link, const ul_guard *guard, uint64_t count)
     *place = (ul_armed){guard, count};
 }
 
-/* Why a lease cannot be armed in a state; NULL if it can. */
+/* The reason why a lease cannot be armed in a state; NULL if it can be armed. */
 static const char *obstacle_of(const ul_link *link, const ul_guard *guard, const lease_state *is)
 {
     if (is->state != LEASE_ARMED && is->state != LEASE_FINISHING)
@@ -112,7 +114,7 @@ ul_status ul_lease_arm(ul_link *link, ul_lease *lease, double seconds)
     if (status != UL_OK) return status;
     if ((obstacle = obstacle_of(link, guard, &before)) != NULL) return fail_lease(link, lease, obstacle);
     lease->seconds = seconds;
-    /* Another one at each instant of three seconds and more; it keeps programs apart, and is no secret. */
+    /* The token differs for all times within at least three seconds. It distinguishes programs, and is not secret. */
     lease->token = (before.clock * UINT64_C(0x9E3779B97F4A7C15)) >> (64 - LEASE_TOKEN_BITS);
     if (lease->finishes) lease->token |= UINT64_C(1) << LEASE_TOKEN_BITS;
     status = ul_set_unsigned(link, lease->arm, lease_word(link, lease, before.clock));
@@ -137,7 +139,7 @@ ul_status ul_lease_kick(ul_link *link, ul_lease *lease)
     const ul_guard *guard = lease->armed->signal.guard;
     char why[192];
     lease_state is;
-    /* A reset begins the count of leases again, so the count of another program's may be the same. */
+    /* After a reset the count of leases starts again, so that another program's lease may have the same count. */
     if (link->open && lease->session != link->session) return fail_lease(link, lease, "it was armed in another session: arm it again");
     ul_status status = read_lease(link, guard, &is);
     if (status != UL_OK) return status;

@@ -1,7 +1,8 @@
 /* Double-buffered memories (docs/how-to/windows.md, TosNet). ----------------------------------------------------------
  *
- * What is written goes into a buffer of its own until it is committed, and then the other buffer is the one to write to,
- * which has not got what was written last. So a network keeps all that was ever written: each commit writes all of it.
+ * Writes go into one buffer until a commit. After the commit, writes go into the other buffer, which lacks the words
+ * that were written last. Therefore a network stores all words that were ever written, and each commit writes all of
+ * them.
  */
 
 enum { COMMIT_WRITE = 1, COMMIT_READ = 2, LOST_CYCLES = 1000 };
@@ -20,7 +21,7 @@ static ul_status settle_network(ul_link *link, ul_network *network, unsigned whi
     return fail_at(link, UL_NOT_COMMITTED, "CTRL", (uint32_t)network->ctrl, NOT_COMMITTED);
 }
 
-/* The network that a word stands in, and its place there; NULL where it is a plain one. */
+/* The network that contains a word, and the word's index in it; NULL if no network contains it. */
 static ul_network *network_of(const ul_link *link, uint32_t address, unsigned *place)
 {
     for (ul_network *network = link->networks; network != NULL; network = network->next)
@@ -29,7 +30,7 @@ static ul_network *network_of(const ul_link *link, uint32_t address, unsigned *p
     return NULL;
 }
 
-/* Keep bits of a word for the next commit, which `ul_finish` makes. False where the address is of no network. */
+/* Store bits of a word for the next commit, by `ul_finish`. False if no network contains the address. */
 static bool start_shared(ul_link *link, ul_batch *batch, const char *path, uint32_t address, uint64_t word, uint64_t mask)
 {
     unsigned place;
@@ -80,7 +81,7 @@ ul_status ul_use_network(ul_link *link, ul_network *network)
     if (other != NULL) return UL_OK;
     network->changed = network->settled = false;
     for (unsigned index = 0; index < network->count; index++) {
-        /* What was written through another one on the link is not taken back. */
+        /* Copy the words that were written through another structure of the same network. */
         ul_network_word *kept = &network->words[index];
         unsigned place;
         const ul_network *before = network_of(link, kept->address, &place);

@@ -1,14 +1,14 @@
-/* Opening: what the gateway is, and the start of a session (docs/protocol.md, Configuration). -------------------------
+/* Opening: the configuration of the gateway, and the start of a session (docs/protocol.md, Configuration). ------------
  *
- * `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
- * only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
- * publishes nothing. The number of the session is another one each time that it is asked for, and in the check of each
- * frame of it, so that nothing of a session before is taken for one of this.
+ * `Q` is sent in plain form, because the gateway's CRC is not known, and then in the checked form that follows from the
+ * answer. The answer is accepted only if both are equal. `K` then starts the session: the gateway expects the ID in
+ * `K`, and stops all groups. Each `K` has another session number, and the CRC of each frame depends on this number, so
+ * that no frame of an earlier session is accepted in this one.
  *
- * If the session was asked for in compact form, the line is tried next. On a line that does not carry the form, another
+ * If the session has the compact form, the line is then tried. If the line does not carry the compact form, another
  * session begins, whose frames are text.
  *
- * An adapter that listens while it sends gives each question back, which is passed over.
+ * An adapter that receives while it sends echoes each question; the echo is skipped.
  */
 
 enum { PROTOCOL_VERSION = 3, LONGEST_ANSWER = 160 };
@@ -24,23 +24,23 @@ static const char LINE_ENDS[] =
 typedef struct opening {
     ul_link *link;
     double asked, patience;
-    double round_trip;                  /* of the last question that was answered */
+    double round_trip;                  /* seconds, of the last answered question */
     size_t heard;
     unsigned questions, answers, drawn;
-    unsigned astray, changed;           /* lines that answered nothing, and those of them that do with another end */
+    unsigned astray, changed;           /* lines that are no answers, and those that would be with another line end */
     uint32_t first;                     /* ID of the session */
-    bool believes;                      /* the gateway has said what it is */
+    bool believes;                      /* the configuration of the gateway is known */
     bool hears_echo;
-    bool is_compact;                    /* the session was asked for in compact form */
-    bool not_carried;                   /* which the line does not carry */
-    bool is_alone, is_loop;             /* nothing but the question was heard, and for so long that nothing else will be */
+    bool is_compact;                    /* the session was requested in compact form */
+    bool not_carried;                   /* the line does not carry the compact form */
+    bool is_alone, is_loop;             /* only echoes were received so far; and for so long that it is a loop */
     double alone_since;
-    char asked_text[LONGEST_QUESTION];  /* as it was sent, without the line end of a checked one */
+    char asked_text[LONGEST_QUESTION];  /* the last question as it was sent; without LF if it is checked */
     char answer[LONGEST_ANSWER];
     size_t size;
 } opening;
 
-/* Take the body of a line; false where it is no frame of this node's, or has the number of a session. */
+/* Reduce a line to its body; false if the line is no frame of this node, or its CRC depends on a session. */
 static bool take_line_body(const opening *opens, bool plain, text *line)
 {
     if ((line->size > 0 && line->at[line->size - 1] == PLAIN_END) != plain) return false;
@@ -49,7 +49,7 @@ static bool take_line_body(const opening *opens, bool plain, text *line)
     return take_prefix(opens->link, line);
 }
 
-/* Pass over the question that came back, in plain form with its answer in the same line; whether it did. */
+/* Skip the echo of the question; true if there was one. In plain form the answer follows in the same line. */
 static bool take_echo(opening *opens, text *line)
 {
     size_t size = strlen(opens->asked_text);
@@ -64,7 +64,8 @@ static bool take_echo(opening *opens, text *line)
     return true;
 }
 
-/* Pad the opening of a session by empty frames to the longest datagram: a network that drops it does not answer. */
+/* Pad the opening of a session with empty frames to the longest datagram, so that it tests whether the network
+ * carries such a datagram. */
 static char *put_padding(const ul_link *link, char *at)
 {
     size_t most = link->largest_datagram - MOST_HEADER;
@@ -75,7 +76,8 @@ static char *put_padding(const ul_link *link, char *at)
     return at;
 }
 
-/* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
+/* Send a question after a line end, which ends an unfinished frame of an earlier program. The line end is LF,
+ * because CR would execute the unfinished frame without a CRC. */
 static void send_question(opening *opens, const char *question, bool plain, bool padded)
 {
     ul_link *link = opens->link;
@@ -91,15 +93,15 @@ static void send_question(opening *opens, const char *question, bool plain, bool
     opens->questions++;
 }
 
-/* Whether a sound line is the answer: it begins as the question, and has so many characters more, or any number. That to
- * an earlier `K` is none, and not damaged. */
+/* Whether an undamaged line is the answer: it begins with the question, and has `fields` more characters, or any
+ * number if `fields` is 0. The answer to an earlier `K` is not the answer, and not damaged. */
 static bool is_answer(text line, const char *question, size_t fields)
 {
     return starts_with(line, question) && line.size <= LONGEST_ANSWER
         && (fields == 0 ? line.size > strlen(question) : line.size == strlen(question) + fields);
 }
 
-/* What stands in a line behind samples of a session before, which in compact form end without a line end. */
+/* The part of a line after samples of an earlier session, which have no line end in compact form. */
 static text behind_compact(text line)
 {
     size_t size = line.size;
@@ -107,7 +109,7 @@ static text behind_compact(text line)
     return without_first(line, size);
 }
 
-/* How many digits a text has from its second character on; 0 if another character is among them. */
+/* The number of digits of a text from its second character on; 0 if it has other characters. */
 static size_t count_digits(text line)
 {
     for (size_t place = 1; place < line.size; place++)
@@ -115,8 +117,8 @@ static size_t count_digits(text line)
     return line.size > 0 ? line.size - 1 : 0;
 }
 
-/* Whether a line with another end would be the answer to `Q`, or the error that answers such a question: it says that
- * the line changes CR or LF. */
+/* Whether a line would be the answer to `Q`, or an error, if it had the other line end. This shows that the line
+ * changes CR or LF. */
 static bool has_other_end(const opening *opens, text line, bool plain)
 {
     bool ends_plain = line.size > 0 && line.at[line.size - 1] == PLAIN_END;
@@ -130,7 +132,7 @@ static bool has_other_end(const opening *opens, text line, bool plain)
     return starts_with(line, "X") && (plain ? digits == 4 || digits == 6 || digits == 10 : digits == 2);
 }
 
-/* Whether the answer has come without LF. */
+/* Whether an answer to `Q` has arrived without LF. */
 static bool lacks_line_ends(const ul_link *link)
 {
     text rest = unread(link);
@@ -141,7 +143,7 @@ static bool lacks_line_ends(const ul_link *link)
     return false;
 }
 
-/* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
+/* Search the received lines for the answer; false if there is none. Set `damaged` if a line may be a damaged answer. */
 static bool find_answer(opening *opens, const char *question, bool plain, size_t fields, bool *damaged)
 {
     text line;
@@ -165,8 +167,8 @@ static bool find_answer(opening *opens, const char *question, bool plain, size_t
     return false;
 }
 
-/* What has answered soon, be it damaged, will not take much longer for the next one. Where others share the medium, more
- * may follow it, and the answer is waited for as long as any. */
+/* Shorten the retry time after a damaged answer: a gateway that answered quickly will do so again. On a shared
+ * medium the line may be that of another node, so the time stays. Return whether the time was shortened. */
 static bool shorten(opening *opens, double now, double *end)
 {
     double patience = DAMAGE_PATIENCE * (now - opens->asked);
@@ -176,18 +178,19 @@ static bool shorten(opening *opens, double now, double *end)
     return true;
 }
 
-/* Draw a number by what differs from one to the next: clock, seed, and how many were drawn. */
+/* A pseudo-random number from the clock, the transport's seed, and the number of earlier calls. */
 static uint32_t draw(opening *opens, unsigned digits)
 {
     double now = now_of(opens->link);
     uint64_t bits = 0;
     memcpy(&bits, &now, sizeof now < sizeof bits ? sizeof now : sizeof bits);
     bits = (bits ^ opens->link->transport.seed) * UINT64_C(0x9E3779B97F4A7C15) + ++opens->drawn;
-    /* Only the highest bits of the product depend on all of these. */
+    /* Only the highest bits of the product depend on all bits of the factors. */
     return (uint32_t)(bits * UINT64_C(0x9E3779B97F4A7C15) >> (64 - 4 * digits));
 }
 
-/* Ask for the session: by another number each time. 0 is none, and with two others damage to a first letter could pass. */
+/* Write the question for a session, with another number each time. 0 is no session; with 10 or 1000 (hex) damage to
+ * the first letter of a frame might not be detected. */
 static void choose_session(opening *opens, char *question)
 {
     ul_link *link = opens->link;
@@ -200,7 +203,7 @@ static void choose_session(opening *opens, char *question)
     *put_number(put_number(put_text(question, "K"), link->info.id_digits, opens->first), session_digits(link), asked) = '\0';
 }
 
-/* Ask until an answer comes, about so many times; it is left in `answer`. NULL asks for the session. */
+/* Send a question until an answer arrives, about `tries` times, and store it in `answer`; NULL asks for a session. */
 static bool ask(opening *opens, const char *asked, bool plain, double tries)
 {
     ul_link *link = opens->link;
@@ -215,7 +218,7 @@ static bool ask(opening *opens, const char *asked, bool plain, double tries)
         if (padded) learn_length(link);
         send_question(opens, question, plain, padded);
         double end = opens->asked + opens->patience;
-        /* Where nothing but an echo was heard, the next question comes when that is long enough to be believed. */
+        /* If only echoes have arrived, wait with the next question until it is certain that the line is a loop. */
         double doubt = opens->alone_since + ECHO_PATIENCE + SHORTEST_TRY;
         if (opens->is_alone && opens->asked < doubt && end > doubt) end = doubt;
         if (end > link->open_until) end = link->open_until;
@@ -229,7 +232,7 @@ static bool ask(opening *opens, const char *asked, bool plain, double tries)
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
         }
-        /* The answer to a question that was sent too recently may still come. */
+        /* Shorten datagrams only if the answer had enough time to arrive. */
         if (padded && !shortened && opens->patience > 2 * opens->round_trip) shorten_length(link);
         if (!shortened) opens->patience = 2 * opens->patience < LONGEST_TRY ? 2 * opens->patience : LONGEST_TRY;
         tries -= shortened ? DAMAGE_COST : 1;
@@ -237,7 +240,7 @@ static bool ask(opening *opens, const char *asked, bool plain, double tries)
     return false;
 }
 
-/* Read the fields of the answer to `Q`; what a later version appends is ignored. */
+/* Read the fields of the answer to `Q`; fields that later versions append are ignored. */
 static bool take_info(ul_info *info, text fields)
 {
     static const unsigned char DIGITS[] = {2, 2, 2, 2, 2, 8, 2, 4, 2, 10, 8, 4, 4, 4, 8};
@@ -264,7 +267,7 @@ static bool take_info(ul_info *info, text fields)
     return true;
 }
 
-/* Whether a number of the gateway's is one that the protocol allows; says so where not, in the words of Python. */
+/* Whether the protocol allows a number in the configuration. If not, store the sentence of the Python host. */
 static bool is_within(ul_link *link, const char *name, uint32_t value, uint32_t low, uint32_t high)
 {
     if (value >= low && value <= high) return true;
@@ -325,7 +328,7 @@ static void use_info(ul_link *link)
     link->block_words = most_in_frame(link, info->block_words);
 }
 
-/* Take what the gateway says of itself, or say why that cannot be. */
+/* Use the configuration in an answer to `Q`; store a sentence if it is not possible. */
 static ul_status believe(ul_link *link, text fields)
 {
     uint64_t version;
@@ -343,13 +346,13 @@ static ul_status believe(ul_link *link, text fields)
     return UL_OK;
 }
 
-/* Whether an answer is, word for word, the last one. */
+/* Whether an answer equals the last one. */
 static bool is_last_answer(const opening *opens, text answer)
 {
     return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
 }
 
-/* Say why no session has begun, as far as what was heard tells. */
+/* Store a sentence about the most likely reason why no session has begun. */
 static ul_status fail_to_open(const opening *opens)
 {
     ul_link *link = opens->link;
@@ -370,8 +373,8 @@ static ul_status fail_to_open(const opening *opens)
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
 }
 
-/* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed when it was
- * the same so many times. */
+/* Read the configuration of the gateway. A plain answer has no CRC: an impossible one is requested again, and
+ * accepted only after SURE equal answers. */
 static ul_status learn(opening *opens)
 {
     ul_link *link = opens->link;
@@ -390,15 +393,16 @@ static ul_status learn(opening *opens)
     return status == UL_UNSUPPORTED ? status : fail_to_open(opens);
 }
 
-/* The trial of the line (docs/protocol.md, The trial of the line): requests that execute nothing, with IDs that put into
- * both directions the bytes which lines change. The last one starts a line again that another has stopped. */
+/* The trial of the line (docs/protocol.md, The trial of the line): requests that execute nothing. Their IDs produce,
+ * in both directions, the bytes that some lines change. The last request restarts a line that another one has
+ * stopped. */
 static const uint16_t TRIED_2[] = { {{ TRIAL.IDS[2] | join(", ") }} }, TRIED_3[] = { {{ TRIAL.IDS[3] | join(", ") }} };
 enum { MOST_TRIED = sizeof TRIED_3 / sizeof *TRIED_3 };
 enum { FIRST_2 = {{ TRIAL.FIRST_IDS[2].start }}, FIRSTS_2 = {{ TRIAL.FIRST_IDS[2] | length }} };
 enum { FIRST_3 = {{ TRIAL.FIRST_IDS[3].start }}, FIRSTS_3 = {{ TRIAL.FIRST_IDS[3] | length }} };
 
 typedef struct trial {
-    uint16_t ids[MOST_TRIED];   /* of the requests that were not answered */
+    uint16_t ids[MOST_TRIED];   /* IDs of the requests that are not answered */
     unsigned left;
     int awaited;                /* answers to the last burst that have not arrived; damaged ones count as arrived */
 } trial;
@@ -409,15 +413,15 @@ static void put_trial(ul_link *link, trial *tries)
     tries->awaited = (int)tries->left;
 }
 
-/* Try one request alone: the gateway takes no more at once. */
+/* Try a single request, because the gateway cannot receive more at once. */
 static void try_alone(const ul_link *link, trial *tries)
 {
     tries->ids[0] = link->info.id_digits == 2 ? {{ TRIAL.ID_ALONE[2] }} : {{ TRIAL.ID_ALONE[3] }};
     tries->left = 1;
 }
 
-/* Take an answer: `h` with the number of posted writes that failed, which are none, or an error that the gateway has kept
- * from an earlier session. */
+/* Process an answer: `h` with a count of 0 failed posted writes, or an error that the gateway has stored in an
+ * earlier session. */
 static void take_tried(const ul_link *link, trial *tries, text line)
 {
     uint64_t id, field;
@@ -433,7 +437,7 @@ static void take_tried(const ul_link *link, trial *tries, text line)
             memmove(tries->ids + index, tries->ids + index + 1, (--tries->left - index) * sizeof *tries->ids);
 }
 
-/* Try the line; whether it carries the compact form. */
+/* Try the line; true if it carries the compact form. */
 static bool carries_compact(opening *opens, double round_trip)
 {
     ul_link *link = opens->link;
@@ -464,7 +468,7 @@ static bool carries_compact(opening *opens, double round_trip)
     return false;
 }
 
-/* Start the session, from a first ID on. The answer says to which `K` it is. */
+/* Start the session with a first ID. The answer has the number of its `K`. */
 static ul_status start_session(opening *opens)
 {
     ul_link *link = opens->link;
@@ -488,7 +492,7 @@ static ul_status start_session(opening *opens)
 
 ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double timeout)
 {
-    /* Its port may be that of the transport. */
+    /* Do not clear the members before `info`: the transport may use the link's port. */
     memset(&link->info, 0, sizeof *link - offsetof(ul_link, info));
     link->transport = *transport;
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
@@ -497,7 +501,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     link->posts = UL_BATCH;
     link->open_until = now_of(link) + timeout;
     opening opens = {.link = link, .patience = FIRST_TRY};
-    /* Written so that NaN is refused; a time that is over has no answer. */
+    /* The comparison refuses NaN. With a time limit in the past there is no answer. */
     ul_status status = !(timeout <= MOST_SECONDS) ? fail(link, UL_BAD_ARGUMENT, "timeout", "1e9 seconds at most were expected")
                      : node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected")
                                    : learn(&opens);
@@ -544,7 +548,7 @@ const char *ul_status_text(ul_status status)
     return "an error of the gateway that this version does not know";
 }
 
-/* Whether the gateway says that it was built for another map. */
+/* Whether the gateway reports that it was built for another map. */
 static bool is_of_another_map(const ul_link *link, uint32_t map)
 {
     return link->info.features & UL_FEATURE_FINGERPRINT && link->info.build_id != map && !link->any_map;

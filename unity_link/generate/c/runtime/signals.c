@@ -1,7 +1,7 @@
-/* Signals: from words to values and back. ------------------------------------------------------------------------------
+/* Signals: conversion of words to values and back. --------------------------------------------------------------------
  *
- * The *raw* of a signal is the unsigned number that its bits say. Rounding goes to the nearer number, to the even one
- * from the middle.
+ * The *raw* value of a signal is its bits as an unsigned number. Values are rounded to the nearest number, ties to
+ * even.
  */
 
 static const double TWO_TO_63 = 9223372036854775808.0;
@@ -27,7 +27,7 @@ static void put_raw(const ul_signal *signal, uint64_t raw, uint64_t *words)
         words[index] = raw >> (index * signal->word_bits - signal->lowest_bit) & ones(signal->word_bits);
 }
 
-/* Numbers of IEEE 754, by their bits. */
+/* IEEE 754 numbers and their bits. */
 
 static double double_of(uint64_t bits)
 {
@@ -61,7 +61,7 @@ static double decode_float(const ul_signal *signal, uint64_t raw)
     return (double)value;
 }
 
-/* Halve a number so many times, rounding once. */
+/* Shift a number to the right by `bits`, and round it to the nearest number, ties to even. */
 static uint64_t shift_nearest(uint64_t number, unsigned bits)
 {
     uint64_t rest = number & ones(bits), middle = (uint64_t)1 << (bits - 1);
@@ -83,7 +83,7 @@ static bool encode_half(double value, uint64_t *raw)
     return true;
 }
 
-/* False for a number too large for the width. */
+/* Convert a number to the bits of a float; false if the number is too large for the width. */
 static bool encode_float(const ul_signal *signal, double value, uint64_t *raw)
 {
     if (signal->width == 16) return encode_half(value, raw);
@@ -100,7 +100,7 @@ static bool encode_float(const ul_signal *signal, double value, uint64_t *raw)
     return true;
 }
 
-/* Limits. Those of whole numbers are compared as such, for a double does not hold all numbers of 64 bits. */
+/* Limits. Integers are compared as integers, because a double cannot represent all 64-bit numbers. */
 
 static double limit_of(const ul_signal *signal, ul_limit limit)
 {
@@ -121,7 +121,7 @@ uint64_t ul_decode_unsigned(const ul_signal *signal, const uint64_t *words)
 int64_t ul_decode_signed(const ul_signal *signal, const uint64_t *words)
 {
     uint64_t raw = raw_of(signal, words), sign = (uint64_t)1 << (signal->width - 1);
-    /* The sign bit is copied to the top; then two's complement is undone without leaving the range of either type. */
+    /* Extend the sign bit, then convert two's complement without an overflow in either type. */
     raw = (raw ^ sign) - sign;
     return raw >> 63 ? -(int64_t)~raw - 1 : (int64_t)raw;
 }
@@ -151,7 +151,7 @@ ul_status ul_encode_signed(const ul_signal *signal, int64_t value, uint64_t *wor
     return UL_OK;
 }
 
-/* The nearest whole number, to the even one from the middle; `value` is one that an int64_t holds. */
+/* The nearest integer, ties to even; `value` must be in the range of int64_t. */
 static int64_t nearest(double value)
 {
     int64_t whole = (int64_t)value;
@@ -164,7 +164,7 @@ static int64_t nearest(double value)
 ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
 {
     double low = limit_of(signal, signal->minimum), high = limit_of(signal, signal->maximum);
-    /* Written so that NaN is within nothing. */
+    /* The comparison is false for NaN. */
     if (is_limited(signal) && !(low <= value && value <= high)) return UL_BAD_ARGUMENT;
     uint64_t raw;
     if (signal->kind == UL_FLOAT) {
@@ -184,7 +184,7 @@ ul_status ul_encode_real(const ul_signal *signal, double value, uint64_t *words)
 
 /* Over a link */
 
-/* The values that a signal can say, or may be given. */
+/* The range of a signal: its limits in the spec, or otherwise the values that its bits can represent. */
 static void range_of(const ul_signal *signal, ul_limit *low, ul_limit *high)
 {
     uint64_t most = ones(signal->kind == UL_SIGNED ? signal->width - 1u : signal->width);
@@ -265,7 +265,7 @@ ul_status ul_refuse_real(ul_link *link, const ul_signal *signal, double value)
     return refuse_value(link, signal, number);
 }
 
-/* Refuse what cannot be done with a signal at all. */
+/* Record an error in the batch if an access to a signal is not possible at all; true if so. */
 static bool cannot(const ul_link *link, ul_batch *batch, const ul_signal *signal, unsigned needed)
 {
     if (!(signal->properties & needed)) {
@@ -303,10 +303,10 @@ void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint6
     else start(link, batch, request);
 }
 
-/* Keep the words of a signal for the next commit; false where it is in no network. */
+/* Store the words of a signal for the next commit; false if the signal is in no network. */
 static bool set_shared(ul_link *link, ul_batch *batch, const ul_signal *signal, const uint64_t *words)
 {
-    /* A field has one word. */
+    /* A field has only one word. */
     bool is_field = signal->properties & UL_FIELD;
     uint64_t mask = is_field ? ones(signal->width) << signal->lowest_bit : ones(signal->word_bits);
     for (unsigned index = 0; index < ul_words_of(signal); index++)
@@ -352,7 +352,7 @@ ul_status ul_post_words(ul_link *link, const ul_signal *signal, const uint64_t *
     ul_batch batch = UL_BATCH;
     ul_status status = UL_OK;
     if (cannot(link, &batch, signal, UL_WRITABLE)) return ul_finish(link, &batch);
-    /* A commit must be waited for. */
+    /* A commit needs an answer, so wait for it. */
     if (!(signal->properties & UL_QUEUE) && set_shared(link, &batch, signal, words)) return ul_finish(link, &batch);
     if (signal->properties & UL_FIELD) {
         ul_start_set(link, &link->posts, signal, words);

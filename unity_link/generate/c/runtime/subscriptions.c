@@ -1,20 +1,19 @@
 /* Subscriptions: samples (docs/protocol.md, Groups). ------------------------------------------------------------------
- *
- * A sample that arrives goes into the storage of its subscription, and nowhere else: who asked for it takes it from
- * there, by `ul_next` or by the callbacks of `ul_poll`. In the storage it has its sequence, how many were lost before
- * it, its timestamp, and its words.
+ * A received sample is stored in the storage of its subscription. The program gets it from there by `ul_next`, or by
+ * the callbacks of `ul_poll`. The storage of a sample has its sequence number, the number of lost samples before it,
+ * its timestamp, and its words.
  */
 
 enum { SEQUENCE, LOST, TICKS, WORDS, PERIODIC = 1, TRIGGER = 2, IMMEDIATE = 4, TIMESTAMP = 8, ON_CHANGE = 16 };
 enum { MOST_DIVISOR = 65535 };
 
-#define TURN 4294967296.0       /* ticks after which a timestamp comes again */
-#define ROUND 256.0             /* samples after which a sequence comes again */
-#define MOST_DRIFT 200e-6       /* seconds a second by which two quartzes may differ */
-#define LONGEST_BUSY 200e-6     /* seconds that a sample waits for the bus, at most */
-#define MOST_ROUNDING 1e-6      /* part of a rate by which it may be rounded */
+#define TURN 4294967296.0       /* number of ticks after which timestamps wrap around */
+#define ROUND 256.0             /* number of samples after which sequence numbers wrap around */
+#define MOST_DRIFT 200e-6       /* largest relative difference of two quartz clocks */
+#define LONGEST_BUSY 200e-6     /* longest time in seconds that a sample waits for the bus */
+#define MOST_ROUNDING 1e-6      /* largest relative rounding error of a rate */
 
-/* Make an endless time of 32 bits: of all instants that it may mean the one nearest to what the clock here says. */
+/* Extend a 32-bit timestamp to 64 bits: the time nearest to an estimate by the clock of the transport. */
 static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription, uint32_t timestamp, double now)
 {
     if (!subscription->has_sample) return timestamp;
@@ -24,7 +23,7 @@ static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription,
     return ahead <= behind || behind > estimate ? estimate + ahead : estimate - behind;
 }
 
-/* Samples follow the rate alone, so that sequences tell the time. */
+/* Whether samples follow only the rate, so that sequence numbers determine their times. */
 static bool is_timed(const ul_subscription *subscription)
 {
     return subscription->has_sample && subscription->flags & TIMESTAMP
@@ -36,7 +35,8 @@ static double rounded(double number)
     return (double)(int64_t)(number < 0 ? number - 0.5 : number + 0.5);
 }
 
-/* A sample may be off by some periods, and by no turn: the bus may have been busy when it was due. */
+/* Whether a deviation of a sample's time, in periods, is possible: the bus may have been busy when the sample was
+ * due. The limit is well below half a turn of the counter. */
 static bool is_near(const ul_link *link, const ul_subscription *subscription, double off, double periods)
 {
     double busy = LONGEST_BUSY * subscription->actual_rate_hz, most = busy > 0.5 ? busy : 0.5;
@@ -45,9 +45,9 @@ static bool is_near(const ul_link *link, const ul_subscription *subscription, do
     return -most <= off && off <= most;
 }
 
-/* Find the instant of a sample by its sequence, where the guess of `unwrap` does not go with that: samples may have
- * waited here for a program that stood still for half a turn of the counter or longer. It is the earliest one that
- * sequence and timestamp allow together, and the guess where there is none. */
+/* Correct the estimate of `unwrap` by the sequence number: samples may have waited for a program that was stopped
+ * for half a turn of the counter or longer. The result is the earliest time that fits sequence number and timestamp,
+ * or the estimate if there is none. */
 static uint64_t place(const ul_link *link, const ul_subscription *subscription, double advance, uint64_t guess,
                       double now)
 {
@@ -73,11 +73,11 @@ static uint64_t place(const ul_link *link, const ul_subscription *subscription, 
     return guess;
 }
 
-/* Count the samples that are missing before this one; a timestamp tells how often the two digits went round. */
+/* Count the lost samples before this one. A timestamp shows how often the two digits of the sequence number wrapped. */
 static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, uint64_t advance, uint64_t ticks)
 {
     if (is_timed(subscription)) {
-        /* A gateway's clock that goes back is wrong, and has lost nothing. */
+        /* If the gateway's clock goes back, it is wrong, and no samples are lost. */
         double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->actual_rate_hz;
         double rounds = (due - (double)advance) / ROUND + 0.5;
         if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
@@ -86,7 +86,7 @@ static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, u
     return advance - 1;
 }
 
-/* Remember the instant of a sample, and when the gateway's clock was 0, as the one says that came the quickest. */
+/* Store the time of a sample, and the earliest estimate of the time at which the gateway's clock was 0. */
 static void date(const ul_link *link, ul_subscription *subscription, uint64_t ticks, double now)
 {
     double earliest = subscription->earliest + MOST_DRIFT * (now - subscription->ticked_at);
@@ -102,7 +102,7 @@ static uint64_t *stored(const ul_subscription *subscription, size_t index)
     return subscription->storage + index * (WORDS + subscription->count);
 }
 
-/* Who has a group, or NULL. */
+/* The subscription that has a group; NULL if there is none. */
 static ul_subscription *holder_of(const ul_link *link, uint64_t group)
 {
     ul_subscription *one = link->subscriptions;
@@ -110,7 +110,7 @@ static ul_subscription *holder_of(const ul_link *link, uint64_t group)
     return one;
 }
 
-/* Characters of the body of a sample, as it begins; 0 where nobody has the group. */
+/* The number of characters in the body of a sample, from its beginning; 0 if no subscription has the group. */
 static size_t sample_size(const ul_link *link, text frame)
 {
     uint64_t group;
@@ -157,7 +157,7 @@ static void take_sample(ul_link *link, text body)
 static bool give_sample(const ul_link *link, ul_subscription *subscription, ul_sample *sample)
 {
     if (subscription->waiting == 0) return false;
-    /* It gets a place behind the others, where no new one comes. */
+    /* Copy the sample to a place after the others, which new samples do not overwrite. */
     uint64_t *place = stored(subscription, subscription->capacity);
     memcpy(place, stored(subscription, subscription->first), (WORDS + subscription->count) * sizeof *place);
     sample->sequence = place[SEQUENCE];
@@ -175,7 +175,7 @@ static ul_status fail_plainly(ul_link *link, ul_status status)
     return fail(link, status, "subscription", NULL);
 }
 
-/* Nothing comes over a link that has ended, or was never opened and has no medium. */
+/* Check that the link is open; a link that has ended, or was never opened, receives no samples. */
 static ul_status check_open(ul_link *link)
 {
     if (link->open && !link->gone) return UL_OK;
@@ -189,8 +189,8 @@ static bool is_subscribed(const ul_link *link, const ul_subscription *subscripti
     return one != NULL;
 }
 
-/* Choose the group that is asked for, or one that is free, from the last one down. Samples of whoever had it before come
- * before the answer to `GS`, and so find nobody. */
+/* Choose the requested group, or the last free one. Samples of an earlier subscription of this group arrive before
+ * the answer to `GS`, and are dropped because no subscription has the group yet. */
 static ul_status choose_group(ul_link *link, ul_subscription *subscription)
 {
     char reason[96];
@@ -208,7 +208,7 @@ static ul_status choose_group(ul_link *link, ul_subscription *subscription)
     return fail(link, UL_UNSUPPORTED, "subscription", reason);
 }
 
-/* Choose the divisor, and the rate that comes of it; NULL, or what is wrong. */
+/* Choose the divisor, and compute the actual rate. Returns NULL, or the fault. */
 static const char *choose_rate(const ul_link *link, ul_subscription *subscription)
 {
     double base = (double)link->info.base_frequency_millihertz / 1000, divisor = subscription->divisor;
@@ -225,7 +225,7 @@ static const char *choose_rate(const ul_link *link, ul_subscription *subscriptio
     return NULL;
 }
 
-/* Turn what was asked for into flags, a divisor and the places of the storage; NULL, or what is wrong. */
+/* Compute the flags, the divisor and the number of places in the storage. Returns NULL, or the fault. */
 static const char *plan(const ul_link *link, ul_subscription *subscription)
 {
     unsigned features = link->info.features;
@@ -256,7 +256,7 @@ ul_status ul_subscribe(ul_link *link, ul_subscription *subscription)
     if (is_subscribed(link, subscription)) return fail(link, UL_BAD_ARGUMENT, "subscription", "it has begun already");
     if (!(link->info.features & UL_FEATURE_GROUPS) || link->info.groups == 0)
         return fail(link, UL_UNSUPPORTED, "subscription", "the gateway was built without groups");
-    /* What cannot begin leaves its structure as it was: samples of an earlier time may wait there. */
+    /* Change the caller's structure only if the subscription begins: it may still have samples of an earlier time. */
     ul_subscription planned = *subscription;
     const char *wrong = plan(link, &planned);
     if (wrong != NULL) return fail(link, UL_BAD_ARGUMENT, "subscription", wrong);
@@ -298,8 +298,9 @@ ul_status ul_publish(ul_link *link, ul_subscription *subscription)
     return ask_for(link, (ul_request){.command = "gp", .address = subscription->actual_group});
 }
 
-/* Posted writes are confirmed when there is time. Where nothing else is under way, samples do not say whether the
- * gateway still hears, or was reset: it is asked now and then. */
+/* Process events while only samples are expected. Posted writes are confirmed now. Samples do not show whether the
+ * gateway still receives requests, or was reset; without requests in flight the session is therefore checked from
+ * time to time. */
 static void turn_idle(ul_link *link, double until)
 {
     double due = link->since + KEEP_ALIVE;
@@ -316,7 +317,7 @@ ul_status ul_await(ul_link *link, ul_subscription *subscription, size_t count, d
         ul_status status = check_open(link);
         if (status != UL_OK) return status;
         turn_idle(link, until);
-        /* A time that is no number never comes. */
+        /* The comparison ends the loop if the time is NaN. */
         if (subscription->waiting < count && !(now_of(link) < until)) break;
     }
     flush(link);
@@ -330,8 +331,9 @@ ul_status ul_next(ul_link *link, ul_subscription *subscription, ul_sample *sampl
     return status;
 }
 
-/* Call the callbacks with the samples that wait now. As a callback may end any subscription, and bring in more samples,
- * each one is looked for anew, and no more are given than there were. */
+/* Call the callbacks with the samples that are stored now. A callback may end any subscription and receive further
+ * samples. Therefore each sample is searched from the beginning, and no more samples are passed than were stored at
+ * first. */
 static void dispatch(ul_link *link)
 {
     size_t budget = 0;

@@ -1,37 +1,42 @@
 /* Window: exactly once, in order (docs/protocol.md, The host). --------------------------------------------------------
  *
- * Every request carries an ID, and IDs go round a ring, from that on with which the session began. Three marks stand on
- * it:
+ * Every request carries an ID. The IDs form a ring: the first one of a session is chosen when it begins, and 0 follows
+ * the last one. Three marks divide the ring:
  *
  *         answered         executed, but some        sent, and            not yet
  *                          answers were lost         not confirmed        sent
  *     ----------------|------------------------|---------------------|-------------
  *                   oldest                  executed                 next
  *
- * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer, and have been executed
- * when `executed` passes them. How they ended, an `h` behind them tells, which counts those that failed: where fewer
- * errors have come, each of them is asked for by an `h` with its ID, and the one behind them is told when they are. Until
- * then all keep their places, from `held` on, which stands at `oldest` or before it.
+ * A response to ID k, or `n k`, shows that all requests before k were executed. A posted write has no response: it was
+ * executed once `executed` is after it. A fence, an `h` that follows the posted writes, shows their outcomes: its
+ * response counts the failed writes of the session. If fewer errors were received than it counts, the host sends an `h`
+ * with the ID of each write whose outcome is unknown, and the response repeats that outcome; the outcome of the fence
+ * is reported after theirs. Until then all of them keep their places in the window, from `held` on, which is `oldest`
+ * or before it.
  *
- * To *go back* is to ask whose the session is, by a `K`, and to send what is not answered again, in order, from `oldest`
- * on. Both directions keep the order, and each sending has its place among all, repetitions and `K` among them. So what
- * has arrived says which others will not come any more: where the gateway has executed these, they alone are sent again;
- * else the window goes back. A damaged answer was perhaps that to the oldest, which alone is sent again; the next such
- * sign is about the next. `to_repeat` and `repeat_end` are the marks between which is sent again what is not answered.
+ * To *go back* is to send a session query (`K` without fields), and to retransmit the unanswered requests in order,
+ * from `oldest` on. Both directions keep the order, and every sending is numbered, retransmissions and session queries
+ * included. So each answer shows which earlier sendings will not be answered. If the gateway has executed all those
+ * requests, only they are retransmitted; otherwise the window goes back. A damaged frame may have been the answer to
+ * the oldest request, so that request alone is retransmitted; the next damaged frame is taken for the answer to the next
+ * request. The unanswered requests from `to_repeat` on and before `repeat_end` are to be retransmitted.
  *
- * A loss brings many signs. When it was gone back for one, no further one counts before something has arrived that was
- * sent since. What brings no sign, or had its `K` lost, the time out finds; from MOST_SIGNS on for the same request it is
- * left to the time.
+ * One loss causes several signs. After the window has gone back for one sign, it ignores further signs until something
+ * has arrived that was sent since. The retransmission timeout finds a loss without a sign, or one whose session query
+ * was lost. After MOST_SIGNS signs about the same request, only the timeout makes the window go back.
  *
- * One damaged request costs all those behind it. So where the window goes back, fewer are kept in flight: half as many,
- * and at most twice as many as came through since it went back before; some that are done later it is one more, and
- * posted writes count as they are confirmed. The repetition, too, sends only as many at a time. What is answered does not
- * count, so that new requests follow also where the oldest alone is sent again.
+ * A damaged request causes the loss of all requests that were sent after it. So going back lowers the send limit: to
+ * half, and to at most twice the number of requests that were done since the window last went back. After that, each
+ * DONE_FOR_ONE_MORE requests that are done raise the limit by one; posted writes count when they are confirmed.
+ * Retransmissions obey the limit too. Answered requests do not count against it, so new requests can follow even while
+ * only the oldest one is retransmitted.
  *
- * The time out is RFC 6298's, but never less than twice the round trip. What was sent twice is not timed. The doubling is
- * undone by the answer to what was sent once, and by progress after a sign.
+ * The retransmission timeout is that of RFC 6298, and at least twice the round trip. Requests that were sent twice are
+ * not measured. The backoff, which doubles the timeout each time it expires, ends with the answer to a request that was
+ * sent once, and with progress after a sign.
  *
- * It does what `unity_link/protocol/window/window.py` does, for the host in Python, and its tests compare the two.
+ * `unity_link/protocol/window/window.py` does the same for the host in Python; tests compare the two.
  */
 
 static const ul_request FENCE = {.command = "h"};
@@ -55,7 +60,7 @@ static uint32_t after(const ul_link *link, uint32_t id)
     return (id + 1) & link->ring_mask;
 }
 
-/* How many requests have a place in the window. */
+/* Return the number of requests that have a place in the window. */
 static unsigned places_held(const ul_link *link)
 {
     return (link->next - link->held) & link->ring_mask;
@@ -81,7 +86,7 @@ static ul_request *slot_of(ul_link *link, uint32_t id)
     return &link->slots[id % UL_WINDOW];
 }
 
-/* The request that an answer names, or NULL where nothing waits for it: the answer to a repetition. */
+/* Return the unanswered request with an ID, or NULL if there is none: then the answer is a second one. */
 static const ul_request *find(const ul_link *link, uint32_t id)
 {
     if (distance(link, id) >= in_flight(link)) return NULL;
@@ -89,7 +94,7 @@ static const ul_request *find(const ul_link *link, uint32_t id)
     return request->waiting ? request : NULL;
 }
 
-/* How many requests from one ID on, and before another, are not done. */
+/* Return the number of unfinished requests from ID `first` on and before ID `last`. */
 static unsigned waiting_between(const ul_link *link, uint32_t first, uint32_t last)
 {
     unsigned count = 0;
@@ -97,14 +102,15 @@ static unsigned waiting_between(const ul_link *link, uint32_t first, uint32_t la
     return count;
 }
 
-/* How many requests may still be lost: not known to be executed, or executed and not answered. */
+/* Return the number of requests that may still be lost: not known to be executed, or executed and not answered. */
 static unsigned outstanding(const ul_link *link)
 {
     unsigned unknown = (link->next - link->executed) & link->ring_mask;
     return unknown + waiting_between(link, link->oldest, link->executed);
 }
 
-/* The ID behind the next request that has an answer; the next one of all where there are posted writes alone. */
+/* Return the ID after the first unanswered request that has a response, from an ID on; `next` if there are only
+ * posted writes. */
 static uint32_t behind_next_with_answer(const ul_link *link, uint32_t id)
 {
     while (id != link->next) {
@@ -115,13 +121,14 @@ static uint32_t behind_next_with_answer(const ul_link *link, uint32_t id)
     return id;
 }
 
-/* Whether one of all sendings came before another. Their places go round, but two in one window are never so far apart. */
+/* Return whether sending number `one` was before `other`. The numbers wrap at 2^32; two of one window are always
+ * less than 2^31 apart. */
 static bool came_before(uint32_t one, uint32_t other)
 {
     return one != other && other - one < UINT32_C(1) << 31;
 }
 
-/* The place of the last sending of a request. */
+/* Return the number of the last sending of a request. */
 static uint32_t last_sending(const ul_request *request)
 {
     return request->sent_later == 0 ? request->first_sending : request->later_sendings[request->sent_later - 1];
@@ -144,20 +151,20 @@ static void measure(ul_link *link, double round_trip)
     link->measured_timeout = link->timeout = timeout < LONGEST_TIMEOUT ? timeout : LONGEST_TIMEOUT;
 }
 
-/* Wait for answers so long at least. */
+/* Raise the shortest retransmission timeout to a number of seconds. */
 static void wait_at_least(ul_link *link, double seconds)
 {
     if (link->transport.shortest_timeout < seconds) link->transport.shortest_timeout = seconds;
 }
 
-/* Begin a session with its first ID. Where both directions share a pair of wires, one request is under way at a time. */
+/* Start a session with its first ID. On a half-duplex medium, only one request is in flight at a time. */
 static void start_window(ul_link *link, uint32_t first, double byte_time, double round_trip)
 {
     uint32_t half = (link->ring_mask + 1) / 2;
     link->held = link->oldest = link->executed = link->next = first;
     link->to_repeat = link->repeat_end = link->again_end = first;
     link->next_measurement = -FOR_EVER;
-    /* Places begin with 1. */
+    /* Sendings are numbered from 1 on. */
     link->sent = 1;
     link->flood_responses = UINT64_MAX;
     link->most_in_flight = is_half_duplex(link) ? 1 : half < UL_WINDOW ? half : UL_WINDOW;
@@ -169,8 +176,8 @@ static void start_window(ul_link *link, uint32_t first, double byte_time, double
     measure(link, round_trip);
 }
 
-/* Whether the gateway would keep the words of a destructive read where those of another are that is not answered. Those
- * of a request begin at its ID. */
+/* Return whether a destructive read would overwrite the words that the gateway keeps for an unanswered one. The
+ * gateway keeps the words of a request in places from its ID on, modulo MOST_KEPT_WORDS. */
 static bool would_overwrite(const ul_link *link, const ul_request *request)
 {
     if (!shape_of(request->command)->is_destructive) return false;
@@ -178,14 +185,14 @@ static bool would_overwrite(const ul_link *link, const ul_request *request)
         const ul_request *other = find(link, id);
         if (other == NULL || !shape_of(other->command)->is_destructive) continue;
         uint32_t ahead = (link->next - id) % MOST_KEPT_WORDS, behind = (id - link->next) % MOST_KEPT_WORDS;
-        /* A masked write has no count, and one word. */
+        /* A masked write has no count: it keeps one word. */
         if (ahead <= (other->count ? other->count - 1 : 0) || behind <= (request->count ? request->count - 1 : 0)) return true;
     }
     return false;
 }
 
-/* Whether the answer to a request has room in one datagram with the answers and the samples that may come with it: a
- * gateway puts them together, and does not know how long a datagram its network carries. */
+/* Return whether the answer to a request fits into one datagram together with all other answers and samples that may
+ * arrive in it. A gateway does not know the largest datagram that its network carries. */
 static bool has_room_for_answer(const ul_link *link, const ul_request *request)
 {
     size_t room = longest_frame(link) - ANSWER_RESERVE, awaited = 0;
@@ -200,8 +207,8 @@ static bool has_room_for_answer(const ul_link *link, const ul_request *request)
     return awaited + reply_size(link, request) <= room;
 }
 
-/* Whether a request may be sent now. Posted writes, and what follows them, leave room for the `h` that confirms them, and
- * one longer than the gateway's whole FIFO goes alone. */
+/* Return whether a request may be sent now. A posted write, and a request that follows one, leaves room for the
+ * fence. A request longer than the gateway's whole FIFO is sent alone. */
 static bool has_room(const ul_link *link, const ul_request *request)
 {
     bool spares = request->posted || (link->unfenced > 0 && !shape_of(request->command)->counts);
@@ -212,7 +219,7 @@ static bool has_room(const ul_link *link, const ul_request *request)
     return link->bytes + request_size(link, request) * (spares ? 2 : 1) <= link->byte_limit;
 }
 
-/* Begin to measure the round trip of a request that was just sent; one at a time. */
+/* Start to measure the round trip of a request that was just sent, unless another one is being measured. */
 static void time_request(ul_link *link, const ul_request *request, uint32_t id, double now)
 {
     if (link->is_timed || now < link->next_measurement) return;
@@ -223,7 +230,7 @@ static void time_request(ul_link *link, const ul_request *request, uint32_t id, 
     link->timed_reply = reply_size(link, request);
 }
 
-/* Give an ID to a request that is now sent. */
+/* Assign the next ID to a request that is about to be sent, and return the ID. */
 static uint32_t number_request(ul_link *link, const ul_request *request, double now)
 {
     uint32_t id = link->next;
@@ -246,13 +253,13 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
     return id;
 }
 
-/* Whether posted writes may be confirmed by an `h` now. */
+/* Return whether a fence for posted writes may be sent now. */
 static bool can_fence(const ul_link *link)
 {
     return link->unfenced > 0 && !is_repeating(link) && (link->awaited == 0 || has_room(link, &FENCE));
 }
 
-/* Whether posted writes are so many that they need an `h` behind them. */
+/* Return whether so many posted writes are unfenced that a fence must be sent now. */
 static bool needs_fence(const ul_link *link)
 {
     if (!can_fence(link)) return false;
@@ -260,10 +267,10 @@ static bool needs_fence(const ul_link *link)
         || (link->byte_limit != SIZE_MAX && 4 * link->unfenced_bytes >= link->byte_limit);
 }
 
-/* Sending again */
+/* Retransmission */
 
-/* How many requests may be sent again now: at least the posted writes, which nothing answers, that stand before the
- * first request with an answer, and that one. */
+/* Return the number of requests that may be retransmitted now: at least the first request with a response, and the
+ * posted writes before it. */
 static unsigned repetition_room(const ul_link *link)
 {
     unsigned most = waiting_between(link, link->oldest, behind_next_with_answer(link, link->oldest));
@@ -272,7 +279,7 @@ static unsigned repetition_room(const ul_link *link)
     return sent < most ? most - sent : 0;
 }
 
-/* The next request is sent again. */
+/* Record that a request is retransmitted, and return it. */
 static const ul_request *note_repetition(ul_link *link, uint32_t id)
 {
     ul_request *request = slot_of(link, id);
@@ -285,14 +292,15 @@ static const ul_request *note_repetition(ul_link *link, uint32_t id)
     return request;
 }
 
-/* The first ID from which on nothing was sent again. */
+/* Return the ID from which on no request was or will be retransmitted. */
 static uint32_t first_sent_once(const ul_link *link)
 {
     bool again = link->sent_again || is_repeating(link);
     return again && distance(link, link->again_end) <= in_flight(link) ? link->again_end : link->oldest;
 }
 
-/* Have what is not answered from one ID on and before another sent again, besides what is to be. */
+/* Let the unanswered requests from ID `start` on and before ID `end` be retransmitted, in addition to those that are
+ * due. */
 static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now)
 {
     if (!is_repeating(link)) {
@@ -309,7 +317,7 @@ static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now)
     link->since = now;
 }
 
-/* Keep fewer in flight. */
+/* Lower the send limit after a loss. */
 static void allow_fewer(ul_link *link)
 {
     unsigned fewest = FEWEST_IN_FLIGHT < link->most_in_flight ? FEWEST_IN_FLIGHT : link->most_in_flight;
@@ -321,7 +329,7 @@ static void allow_fewer(ul_link *link)
     link->came = 0;
 }
 
-/* Allow more again: one more is done. */
+/* Record that one more request is done, which may raise the send limit again. */
 static void allow_more(ul_link *link)
 {
     if (!link->loses) return;
@@ -330,22 +338,22 @@ static void allow_more(ul_link *link)
     link->loses = link->allowed < link->most_in_flight;
 }
 
-/* The oldest questions whose the session is are answered, or will not be. */
+/* Forget the oldest `count` session queries: they were answered, or will not be. */
 static void drop_questions(ul_link *link, unsigned count)
 {
     link->questions -= count;
     memmove(link->question, link->question + count, link->questions * sizeof *link->question);
 }
 
-/* A sign has come that may be of the loss before or of the next one: one more question will tell. */
+/* Record a sign that may be about the last loss or a new one. The answer to one more session query decides. */
 static void doubt(ul_link *link)
 {
     link->in_doubt = true;
     link->must_ask = link->questions < UL_QUESTIONS;
 }
 
-/* Whose the session is is asked; where more questions than have a place are not answered, an answer counts as that to an
- * earlier one. */
+/* Record that a session query is sent. At most UL_QUESTIONS unanswered ones are recorded; the answer to a further
+ * one is taken for that to an earlier one. */
 static void note_question(ul_link *link)
 {
     link->must_ask = false;
@@ -361,14 +369,14 @@ static void repeat_from_oldest(ul_link *link, double now)
     repeat_part(link, link->oldest, link->next, now);
 }
 
-/* Whether a sign of loss counts: as long as nothing has arrived that was sent since the window went back, it may be one of
- * the loss before. */
+/* Return whether a sign counts as a new loss. Until something has arrived that was sent since the window went back,
+ * a sign may be about the last loss. */
 static bool takes_sign(const ul_link *link)
 {
     return !came_before(link->arrived, link->sign) && link->gone_back < MOST_SIGNS;
 }
 
-/* Go back for a sign of loss; where it may be one of the loss before, ask how far the line has come. */
+/* Go back because of a sign; if it may be about the last loss, ask for one more session query instead. */
 static void go_back(ul_link *link, double now)
 {
     if (link->oldest == link->next) return;
@@ -380,7 +388,7 @@ static void go_back(ul_link *link, double now)
     repeat_from_oldest(link, now);
 }
 
-/* All up to a sending has arrived, or was lost. */
+/* Record that all sendings up to one have arrived or were lost. */
 static void note_arrival(ul_link *link, uint32_t sending)
 {
     unsigned over = 0;
@@ -391,15 +399,17 @@ static void note_arrival(ul_link *link, uint32_t sending)
     if (ahead == 0 || ahead > in_flight(link)) link->sent_again = false;
 }
 
-/* Whether a request waits for its answer, and was sent before what has arrived now. */
+/* Return whether the request with an ID is unanswered, was last sent before sending `sending`, and is not to be
+ * retransmitted already. */
 static bool is_lost_before(const ul_link *link, uint32_t id, uint32_t sending)
 {
     const ul_request *request = find(link, id);
     return request != NULL && came_before(last_sending(request), sending) && !is_to_be_repeated(link, id);
 }
 
-/* Send again what was sent before something that has arrived, and is not answered: it or its answer was lost. Where the
- * gateway has executed it, only the answer was lost, and what is behind it is on its way. */
+/* Retransmit the unanswered requests that were sent before a sending that has arrived: they or their answers were
+ * lost. If the gateway has executed them, only their answers were lost, and the requests after them need no
+ * retransmission. */
 static void find_lost(ul_link *link, uint32_t sending, double now)
 {
     note_arrival(link, sending);
@@ -415,9 +425,9 @@ static void find_lost(ul_link *link, uint32_t sending, double now)
     repeat_part(link, link->oldest, end, now);
 }
 
-/* What arrives */
+/* Received responses */
 
-/* Move `executed` up to an ID. */
+/* Move `executed` forward to an ID. */
 static void confirm(ul_link *link, uint32_t expected)
 {
     for (; link->executed != expected; link->executed = after(link, link->executed)) {
@@ -431,12 +441,12 @@ static void confirm(ul_link *link, uint32_t expected)
     }
 }
 
-/* Begin anew with another oldest request. */
+/* Reset the counters of the oldest request, because another request is the oldest one now. */
 static void begin_anew(ul_link *link)
 {
     link->gave_up = false;
     link->gone_back = link->refusals = 0;
-    /* Where the time had run out, it may be a late answer to what was sent before. */
+    /* After a timeout, the progress may be due to a late answer to an earlier sending, so the backoff stays. */
     if (!link->waited) link->timeout = link->measured_timeout;
     if (is_repeating(link) && distance(link, link->to_repeat) > in_flight(link)) {
         link->to_repeat = link->oldest;
@@ -444,13 +454,13 @@ static void begin_anew(ul_link *link)
     }
 }
 
-/* Give up the places of what is told. */
+/* Release the places of requests whose outcomes were reported. */
 static void release_places(ul_link *link)
 {
     while (link->held != link->oldest && !slot_of(link, link->held)->untold) link->held = after(link, link->held);
 }
 
-/* Something was confirmed: move `oldest` up over what is done, and start the clock anew. */
+/* Move `oldest` over all requests that are done, and restart the retransmission timeout. */
 static void note_news(ul_link *link, double now)
 {
     uint32_t before = link->oldest;
@@ -462,7 +472,7 @@ static void note_news(ul_link *link, double now)
     link->since = now;
 }
 
-/* The answer to the request that is timed. */
+/* Use the answer to the measured request: update the round trip, and the seconds per byte if they are fewer. */
 static void note_round_trip(ul_link *link, double now)
 {
     double round_trip = now - link->timed_at;
@@ -474,7 +484,8 @@ static void note_round_trip(ul_link *link, double now)
     link->next_measurement = now + MEASUREMENT_PAUSE;
 }
 
-/* The sending that is answered now: the first behind what is known to have arrived. */
+/* Return the number of the sending that an answer belongs to: the first one of the request after the last sending
+ * that is known to have arrived. */
 static uint32_t answered_sending(const ul_link *link, const ul_request *request)
 {
     if (came_before(link->arrived, request->first_sending)) return request->first_sending;
@@ -483,11 +494,11 @@ static uint32_t answered_sending(const ul_link *link, const ul_request *request)
     return last_sending(request);
 }
 
-/* The answer to a request has come. Without repetitions, that to the oldest says nothing of the others. */
+/* Process the answer to a request. If nothing was retransmitted, an answer to the oldest request shows no loss. */
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
-    bool tells = link->sent_again || link->questions > 0 || id != link->oldest;
+    bool may_show_losses = link->sent_again || link->questions > 0 || id != link->oldest;
     uint32_t sending = answered_sending(link, request);
     if (link->is_timed && link->timed == id) note_round_trip(link, now);
     if (request->sent_later == 0) link->timeout = link->measured_timeout;
@@ -497,13 +508,14 @@ static void note_answer(ul_link *link, uint32_t id, double now)
     if (has_no_answer(request)) request->untold = false;
     allow_more(link);
     note_news(link, now);
-    if (tells) find_lost(link, sending, now);
+    if (may_show_losses) find_lost(link, sending, now);
     else note_arrival(link, sending);
 }
 
-/* An `h` says how many posted writes have failed. Where as many errors have come, those before it are told; else each is
- * asked for by an `h` with its ID, a repetition, of which the answer says how it ended. `find_lost` has these sent, and
- * this `h` is told behind them. Whether all before it are told. */
+/* Process the response to a fence, which counts the failed posted writes. If as many errors were received, the
+ * outcomes of all writes before the fence are known. Otherwise each of these writes is replaced by an `h` with the
+ * same ID, whose response repeats the outcome of the write; `find_lost` lets these be sent, and the outcome of the
+ * fence is reported after theirs. Return whether all outcomes before the fence are known. */
 static bool note_count(ul_link *link, uint32_t fence, uint32_t failed)
 {
     bool all_told = true;
@@ -525,8 +537,8 @@ static bool note_count(ul_link *link, uint32_t fence, uint32_t failed)
     return all_told;
 }
 
-/* `n`: the gateway expects this ID, so a request was lost. False where no gateway can expect the ID in this session: it
- * executed what lies before `executed`, and nothing was sent from `next` on. */
+/* Process `n`: the gateway expects an ID, so a request was lost. Return false if the gateway cannot expect that ID
+ * in this session: it is before `executed` or after `next`. */
 static bool note_gap(ul_link *link, uint32_t expected, double now)
 {
     if (((expected - link->executed) & link->ring_mask) > ((link->next - link->executed) & link->ring_mask)) return false;
@@ -539,13 +551,14 @@ static bool note_gap(ul_link *link, uint32_t expected, double now)
     }
     const ul_request *request = find(link, expected);
     if (expected != link->executed || request == NULL) return true;
-    /* Nothing behind a request that was lost is executed before that was sent again. */
+    /* The gateway executes no later request before the lost one was retransmitted. */
     note_arrival(link, request->first_sending);
     if (takes_sign(link)) go_back(link, now);
     return true;
 }
 
-/* Something arrived damaged: perhaps the answer to the oldest request, or to the next one if it came before. */
+/* Process a damaged frame: perhaps the answer to the oldest request, or to the next one if the oldest one was
+ * already retransmitted for an earlier damaged frame. */
 static void note_damaged_answer(ul_link *link, double now)
 {
     if (!takes_sign(link)) {
@@ -558,12 +571,12 @@ static void note_damaged_answer(ul_link *link, double now)
     } else if (!is_to_be_repeated(link, start)) {
         link->waited = false;
         repeat_part(link, start, end, now);
-        /* It may have been an error or `n`, and then there is no answer to what is sent. */
+        /* The damaged frame may have been an error or `n`; then the retransmission is not answered. */
         if (distance(link, start) >= distance(link, link->executed)) doubt(link);
     }
 }
 
-/* The answer to the oldest question whose the session is: what was sent before that will not be answered any more. */
+/* Process the answer to the oldest session query: requests that were sent before it will not be answered any more. */
 static void note_session_told(ul_link *link, double now)
 {
     if (link->questions == 0) return;
@@ -575,12 +588,12 @@ static void note_session_told(ul_link *link, double now)
         return;
     }
     find_lost(link, sending, now);
-    /* Where one was lost, this was the answer to a later one. */
+    /* If a session query was lost, this was the answer to a later one. */
     if (link->in_doubt && link->questions > 0) doubt(link);
 }
 
-/* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
- * where its end can be told. */
+/* Give up the oldest request, and copy it to `given_up` so that the caller can report its outcome. An `h` takes its
+ * place, because the gateway executes the later requests only after one with its ID. */
 static void give_up(ul_link *link, ul_request *given_up)
 {
     ul_request *place = slot_of(link, link->oldest);
@@ -594,7 +607,8 @@ static void give_up(ul_link *link, ul_request *given_up)
     link->gave_up = true;
 }
 
-/* Error 02 or 03: once too often gives the request up. Whether the gateway is gone: where it refuses even the `h`. */
+/* Process error 02 or 03, a refused request: after MOST_REFUSALS for the same request, give it up. Return whether
+ * the gateway counts as gone, because it refuses even the `h` in the place of a request. */
 static bool note_refusal(ul_link *link, double now, ul_request *given_up)
 {
     bool lost = false;
@@ -607,8 +621,8 @@ static bool note_refusal(ul_link *link, double now, ul_request *given_up)
     return lost;
 }
 
-/* The first ID in flight that was first sent when the request that a gateway without a session refuses was sent last, or
- * later: from there on, nothing was executed. */
+/* Return the first ID from `refused` on whose request was first sent with, or after, the last sending of the refused
+ * request. A gateway without a session refused that sending, so it executed no request from this ID on. */
 static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
 {
     const ul_request *request = find(link, refused);
@@ -621,13 +635,14 @@ static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
     return refused;
 }
 
-/* Time */
+/* Timeouts */
 
-/* When the time for an answer has run out; posted writes alone have none to wait for. */
+/* Calculate when the retransmission timeout expires. Return false if there is no deadline: posted writes have no
+ * responses. */
 static bool has_deadline(const ul_link *link, double *deadline)
 {
     if (link->awaited == 0 && !is_repeating(link)) return false;
-    /* RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet. */
+    /* RFC 6298 does not consider sizes: the time that the bytes need on the wire is added. */
     const ul_request *next = find(link, (behind_next_with_answer(link, link->oldest) - 1) & link->ring_mask);
     double reply = next == NULL ? 0 : (double)reply_size(link, next);
     double wire_time = link->byte_time * (double)link->bytes + link->reply_byte_time * reply;
@@ -635,8 +650,9 @@ static bool has_deadline(const ul_link *link, double *deadline)
     return true;
 }
 
-/* Count a time out; once too often gives the request up. Whether the gateway is gone: where it is silent, or not even the
- * `h` in the place of a request can be had. */
+/* Count a timeout. If something was heard since the last one, and this was one timeout too many for the request,
+ * give it up. Return whether the gateway counts as gone: it is silent, or does not answer even the `h` in the place
+ * of a request. */
 static bool count_try(ul_link *link, double now, ul_request *given_up)
 {
     link->tries++;
@@ -651,12 +667,13 @@ static bool count_try(ul_link *link, double now, ul_request *given_up)
     return link->silent_tries >= FEWEST_SILENT_TRIES && now - link->silent_since >= LONGEST_SILENCE;
 }
 
-/* Go back where the time has run out; once too often gives the request up. Whether the gateway is gone. */
+/* Go back if the retransmission timeout has expired; a request with too many timeouts is given up. Return whether
+ * the gateway counts as gone. */
 static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
     if (!has_deadline(link, &deadline) || now < deadline) return false;
-    /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
+    /* The timeout doubles even if something was heard: that may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
     drop_questions(link, link->questions);
     bool lost = count_try(link, now, given_up);

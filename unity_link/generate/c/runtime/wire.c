@@ -1,7 +1,7 @@
-/* Wire: digits, the check, the frame of a request, the fields of an answer (docs/protocol.md, Frames). ------------- */
+/* Wire: digits, the CRC, the frame of a request, the fields of an answer (docs/protocol.md, Frames). --------------- */
 
 enum { PLAIN_END = '\r', CHECKED_END = '\n', PREFIX_DIGITS = 3 };
-enum { OURS, THEIRS };      /* who sends a frame: its check has it beside the number of the session */
+enum { OURS, THEIRS };      /* sender of a frame, host or gateway: part of the CRC's initial value */
 
 typedef struct text {
     const char *at;
@@ -30,7 +30,7 @@ static bool is_lower_command(char letter)
     return letter >= 'g' && letter <= 'z';
 }
 
-/* Take a number of so many digits off the front; false where they are none, or not there. */
+/* Remove a number of `digits` digits from the front; false if there are fewer digits. */
 static bool take_number(text *from, unsigned digits, uint64_t *number)
 {
     if (from->size < digits) return false;
@@ -56,7 +56,7 @@ static text without_first(text line, size_t size)
     return (text){line.at + size, line.size - size};
 }
 
-/* Take the command with which a message begins, of one letter or two; what stands behind it. */
+/* Copy the command of one or two letters at the beginning of a message; return the rest of the message. */
 static text take_command(text body, char command[3])
 {
     size_t letters = body.size > 1 && is_lower_command(body.at[1]) ? 2 : 1;
@@ -65,7 +65,7 @@ static text take_command(text body, char command[3])
     return without_first(body, letters);
 }
 
-/* The check: CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final xor. */
+/* Prepare the table of the CRC: 8, 16 or 32 bits, not reflected, initial value 0, no final xor. */
 static void prepare_check(ul_link *link, unsigned bits, uint32_t polynomial)
 {
     uint32_t top = (uint32_t)1 << (bits - 1), mask = (uint32_t)ones(bits);
@@ -77,7 +77,7 @@ static void prepare_check(ul_link *link, unsigned bits, uint32_t polynomial)
     link->crc_digits = bits / 4;
 }
 
-/* Go on with a check over so many characters; NULL stands for zeros. */
+/* Continue a CRC over `size` characters; NULL for zeros. */
 static uint32_t go_on(const ul_link *link, uint32_t rest, const char *at, size_t size)
 {
     unsigned bits = 4 * link->crc_digits;
@@ -94,14 +94,15 @@ static size_t prefix_size(const ul_link *link)
     return link->node < 0 ? 0 : PREFIX_DIGITS;
 }
 
-/* What the session puts into the check of a frame that begins so behind its prefix: nothing, where that has no ID. */
+/* The initial value of the CRC after the prefix, from the session and the sender; 0 for a frame without ID. `letter`
+ * is the first letter after the prefix. */
 static uint32_t seed_of(const ul_link *link, char letter, unsigned sender)
 {
     bool belongs = is_lower_command(letter) || letter == 'P';
     return belongs && link->session != 0 ? 2 * link->session + sender : 0;
 }
 
-/* The check of a frame that is begun with a seed, behind its prefix. */
+/* The CRC of a frame, with a seed that is applied after the prefix. */
 static uint32_t check_of(const ul_link *link, text body, uint32_t seed)
 {
     size_t prefix = prefix_size(link) < body.size ? prefix_size(link) : body.size;
@@ -109,7 +110,7 @@ static uint32_t check_of(const ul_link *link, text body, uint32_t seed)
     return go_on(link, rest, body.at + prefix, body.size - prefix);
 }
 
-/* Take the check off the end; false where it is wrong, or nothing is known of it yet. */
+/* Remove the CRC from the end of a line; false if it is wrong, or the gateway's CRC is not known yet. */
 static bool take_check(const ul_link *link, text *line, uint32_t seed)
 {
     if (link->crc_digits == 0 || line->size < link->crc_digits) return false;
@@ -121,13 +122,13 @@ static bool take_check(const ul_link *link, text *line, uint32_t seed)
     return true;
 }
 
-/* The letter with which a frame begins behind its prefix, as far as that is there. */
+/* The first letter of a frame after the prefix; NUL if there is none. */
 static char first_letter(const ul_link *link, text line)
 {
     return line.size > prefix_size(link) ? line.at[prefix_size(link)] : '\0';
 }
 
-/* Take the prefix of an addressed frame off the front; false where the line is of another node. */
+/* Remove the prefix of an addressed frame; false if the line has no prefix or that of another node. */
 static bool take_prefix(const ul_link *link, text *line)
 {
     if (link->node < 0) return true;
@@ -137,7 +138,7 @@ static bool take_prefix(const ul_link *link, text *line)
     return take_number(line, 2, &node) && node == (unsigned)link->node;
 }
 
-/* Whether a frame begins with the prefix of another node: its session is not known here. */
+/* Whether a frame begins with the prefix of another node, whose session is not known here. */
 static bool is_of_another_node(const ul_link *link, text line)
 {
     uint64_t node;
@@ -146,7 +147,7 @@ static bool is_of_another_node(const ul_link *link, text line)
         && node != (unsigned)link->node;
 }
 
-/* Frames are written into a buffer that is known to have room. */
+/* The functions below write into a buffer whose room the caller has checked, and return the end of the text. */
 static char *put_number(char *at, unsigned digits, uint64_t number)
 {
     for (unsigned index = digits; index-- > 0; number >>= 4) at[index] = "0123456789ABCDEF"[number & 15];
@@ -173,12 +174,12 @@ static char *put_check(const ul_link *link, char *at, const char *start)
     return at;
 }
 
-/* What a command has behind its ID. */
+/* The fields of a command after its ID, and of its answer. */
 typedef struct shape {
     char command[3];
     bool address, count, mask, word, words, group;
     bool reads_word, reads_words, counts;
-    bool is_destructive;        /* its answer is kept by the gateway, which has KEPT_WORDS places */
+    bool is_destructive;        /* the gateway keeps the words of the answer, for repetitions */
     unsigned feature;
     const char *name;
 } shape;
@@ -209,38 +210,38 @@ static const shape *shape_of(const char *command)
     return NULL;
 }
 
-/* Digits of the number of a session. */
+/* The number of digits of a session's number. */
 static unsigned session_digits(const ul_link *link)
 {
     return link->crc_digits == 2 ? 2 : 4;
 }
 
-/* Characters of the question whose the session is, line end included. */
+/* The number of characters of a session query, with its line end. */
 static size_t question_size(const ul_link *link)
 {
     return prefix_size(link) + 1 + link->crc_digits + 1;
 }
 
-/* Whether only an error answers a request. */
+/* Whether a request has no answer except an error. */
 static bool has_no_answer(const ul_request *request)
 {
     return strcmp(request->command, "ws") == 0;
 }
 
-/* Commands about groups and `i` have their number of two digits in `address`. */
+/* Whether a command has a number of two digits, which is in `address`: commands about groups, and `i`. */
 static bool has_number(const shape *is)
 {
     return strchr("gi", is->command[0]) != NULL;
 }
 
-/* Characters of the fields of an answer, behind its ID. */
+/* The number of characters of an answer's fields, after its ID. */
 static size_t fields_size(const ul_link *link, const shape *is, unsigned count)
 {
     size_t words = is->reads_word ? 1 : is->reads_words ? count : 0;
     return words * link->data_digits + (is->counts ? link->info.id_digits : 0);
 }
 
-/* Characters of a request and of its answer, line ends included. */
+/* The numbers of characters of a request and of its answer, with their line ends. */
 static size_t request_size(const ul_link *link, const ul_request *request)
 {
     const shape *is = shape_of(request->command);
@@ -286,7 +287,7 @@ static char *put_request(const ul_link *link, char *at, const ul_request *reques
     return put_check(link, at, start);
 }
 
-/* Take the words of an answer, behind its ID; false where it is not the answer to the request. */
+/* Store the words of an answer, which follow its ID; false if the fields do not fit the request. */
 static bool take_answer(const ul_link *link, const ul_request *request, text fields)
 {
     const shape *is = shape_of(request->command);

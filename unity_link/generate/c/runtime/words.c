@@ -1,4 +1,4 @@
-/* Words: what a program calls. -------------------------------------------------------------------------------------- */
+/* Words: the functions for programs that read and write words. ----------------------------------------------------- */
 
 ul_status ul_finish(ul_link *link, ul_batch *batch)
 {
@@ -24,7 +24,7 @@ void ul_start_write_masked(ul_link *link, ul_batch *batch, uint32_t address, uin
     start(link, batch, (ul_request){.command = "wk", .address = address, .word = word, .mask = mask, .target = before});
 }
 
-/* The requests of a block, each as long as the gateway takes it; `step` is 0 for a queue. */
+/* Send the requests of a block, each at most as long as the gateway allows; `step` is 0 for a queue. */
 static void start_block(ul_link *link, ul_batch *batch, ul_request request, size_t count, uint32_t step)
 {
     const char *name = shape_of(request.command)->name;
@@ -34,7 +34,7 @@ static void start_block(ul_link *link, ul_batch *batch, ul_request request, size
         refuse(batch, UL_BAD_ARGUMENT, name, request.address, "it would pass the gateway's last address");
         return;
     }
-    /* Each request looks at its own words, and those before it would be done. */
+    /* Check all words first: `start` checks only those of its own request, after earlier requests were sent. */
     for (size_t index = 0; link->open && request.source != NULL && index < count; index++) {
         if (request.source[index] <= ones(link->info.data_bits)) continue;
         refuse(batch, UL_BAD_ARGUMENT, name, request.address, TOO_WIDE);
@@ -137,7 +137,7 @@ ul_status ul_write_many(ul_link *link, const uint32_t *addresses, const uint64_t
     return ul_finish(link, &batch);
 }
 
-/* Have a request done that has its number in `address`, or none. */
+/* Execute a request with its number in `address`, or without a number, and wait for its answer. */
 static ul_status ask_for(ul_link *link, ul_request request)
 {
     ul_batch batch = UL_BATCH;
@@ -147,7 +147,7 @@ static ul_status ask_for(ul_link *link, ul_request request)
 
 static ul_status post(ul_link *link, const ul_signal *signal, uint32_t address, uint64_t word)
 {
-    /* On a half-duplex medium the other side must know when its turn is, so there it is an answered write. */
+    /* On a half-duplex medium each request needs an answer, which ends its slot, so send an answered write there. */
     bool posted = !(link->info.features & UL_FEATURE_HALF_DUPLEX), was_lost = !link->open || link->gone;
     ul_request request = {.posted = posted, .address = address, .word = word, .signal = signal};
     put_text(request.command, posted ? "ws" : "w");
@@ -171,7 +171,7 @@ ul_batch ul_take_posts(ul_link *link)
     return posts;
 }
 
-/* Give the first error of the posted writes since the last time, or else a status. */
+/* The first error of the posted writes since the last call, or otherwise `status`. */
 static ul_status report_posts(ul_link *link, ul_status status)
 {
     ul_batch posts = ul_take_posts(link);
