@@ -80,7 +80,7 @@ def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_
     assert_fails(found, "a request is told as not executed, and was", 10)
 
 
-def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
+def test_requests_sent_before_a_refused_retransmission_may_be_executed() -> None:
     found = stream.explored(stream.Rules(minds_order=False))
     assert_fails(found, "a request is told as not executed, and was", 13)
 
