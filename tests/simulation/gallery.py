@@ -52,7 +52,7 @@ UNSEEN = frozenset(
 )
 """Bugs that no world shows. Tests of their own find them, in this order:
 
-- `test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them`: bursts in worlds are of one group;
+- `test_samples_of_two_groups_in_bursts_reach_their_subscriptions`: bursts in worlds are of one group;
 - `test_a_refusal_of_a_damaged_request_does_not_cover_the_id_in_it`: requests during a reset are seldom damaged;
 - `test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken`: the checks of their frames have
   that session in them as well;
