@@ -66,8 +66,8 @@ LANGUAGES = {
     "vhdl": "tests/generate/test_vhdl.py::test_gateway_and_boards_elaborate_with_the_gateware",
 }
 SCHEMES = {
-    "ftdi": "tests/transport/test_ft232h.py::test_a_virtual_chip_needs_nothing_but_its_url",
-    "ftdi-async": "tests/transport/test_ft232h.py::test_a_chip_that_is_unplugged_while_it_is_opened_is_told_so",
+    "ftdi": "tests/transport/test_ft232h.py::test_a_virtual_chip_needs_only_its_url",
+    "ftdi-async": "tests/transport/test_ft232h.py::test_a_chip_unplugged_while_it_is_opened_is_reported",
     "mmio": "tests/link/test_mapped.py::test_commands_take_the_url",
     "rtl": "tests/virtual/test_rtl.py::test_memory_is_what_requests_read_and_write",
     "serial": "tests/bridges/test_serve_nodes.py::test_each_node_has_its_own_socket_and_port",

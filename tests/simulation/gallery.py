@@ -54,7 +54,7 @@ UNSEEN = frozenset(
 
 - `test_samples_of_two_groups_in_bursts_reach_their_subscriptions`: bursts in worlds are of one group;
 - `test_a_refusal_of_a_damaged_request_does_not_cover_the_id_in_it`: requests during a reset are seldom damaged;
-- `test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken`: the checks of their frames have
+- `test_replayed_datagrams_of_an_earlier_session_are_dropped`: the checks of their frames have
   that session in them as well;
 - `test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed`: a client asks
   again, and is answered then.
