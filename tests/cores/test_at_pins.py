@@ -208,7 +208,7 @@ def test_a_plant_reads_the_steps_that_a_step_generator_has_sent(reverse: bool) -
         _ = robot.x.velocity
 
 
-def test_signals_without_a_pin_or_without_a_measurement_are_refused() -> None:
+def test_a_plant_cannot_access_registers_of_a_core_at_pins() -> None:
     robot, _ = encoder("FILTER=1", Board("a"))
     for name in ("position", "velocity"):
         with pytest.raises(ArgumentError, match=f"wheel.{name} is a register of a core"):
