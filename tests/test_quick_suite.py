@@ -18,7 +18,7 @@ COMMANDS = {
     "build": "tests/boards/test_own_top.py::test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it",
     "check": "tests/cli/test_spec.py::test_check_says_that_a_spec_is_good",
     "demo": "tests/cli/test_full_screen.py::test_the_demo_on_a_terminal_that_can_draw_nothing_prints_lines",
-    "doctor": "tests/doctor/test_faults.py::test_mapped_memory_has_no_gateway_to_be_examined",
+    "doctor": "tests/doctor/test_faults.py::test_mapped_memory_has_no_gateway_to_examine",
     "explain": "tests/cli/test_explain.py::test_json_has_an_object_for_each_frame_and_the_summary",
     "export": "tests/cli/test_spec.py::test_systemrdl_goes_out_and_in",
     "find": "tests/cli/test_find.py::test_simulated_boards_are_listed_with_name_map_and_session",

@@ -1,1 +1,1 @@
-"""Mutation testing of the protocol room: small wrongs put into it by chance, each of which some test must find."""
+"""Mutation testing of the protocol package: small random faults are put into it, each of which a test must find."""
