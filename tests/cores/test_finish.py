@@ -276,7 +276,7 @@ with blocking.connect(url) as link:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["kill", "hang"])
-def test_scheduled_writes_of_a_killed_program_run_out_behind_a_server(way: str, tmp_path: Path) -> None:
+def test_scheduled_writes_of_a_program_killed_behind_a_server_run_out(way: str, tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(SPEC.replace("TIMEOUT=0.1, FINISH=0.3", "TIMEOUT=1, FINISH=20"))
     command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]

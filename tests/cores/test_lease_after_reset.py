@@ -403,7 +403,7 @@ async def test_a_cancelled_arm_leaves_a_lease_that_others_armed_since() -> None:
 
 
 @on_simulated_time
-async def test_a_program_whose_arm_was_repeated_reads_who_has_the_lease() -> None:
+async def test_a_program_whose_arm_was_repeated_reads_the_owner_of_the_lease() -> None:
     async with world_of(KNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed() as lease:

@@ -251,7 +251,7 @@ def test_build_reports_a_board_with_another_clock_before_any_tool_runs(tmp_path:
         build(spec, "ulx3s", board, tmp_path)
 
 
-def test_a_spec_whose_open_parameters_are_given_is_checked_for_a_clock_as_before() -> None:
+def test_a_spec_with_given_parameters_is_checked_for_a_clock() -> None:
     members = "GATEWAY(CLOCK=10000000); TOSNET(CTRL=ctrl, COMM=9, BASE=0); x: LEASE(TIMEOUT=60) @(0xE0);"
     spec = compile_text(f"public robot(ctrl) {{ {members} }}")
     chosen = spec.given({"ctrl": 8}).interface()

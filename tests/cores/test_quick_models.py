@@ -75,7 +75,7 @@ async def test_velocity_and_index_follow_the_position_that_a_plant_sets() -> Non
 
 
 @on_simulated_time
-async def test_edges_of_a_pin_are_counted_have_their_instant_and_fire_their_trigger() -> None:
+async def test_edges_of_a_pin_are_counted_and_timed_and_fire_their_trigger() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     plant: Any = gateway.robot
     async with unity_link.connect(gateway) as link:

@@ -205,7 +205,7 @@ async def feed(machine: Any, rows: int, seconds: float, chance: random.Random) -
     ],
 )
 @on_simulated_time
-async def test_each_write_acts_in_its_cycle_or_is_counted_late_while_the_bus_is_busy(
+async def test_each_write_on_a_busy_bus_acts_in_its_cycle_or_is_counted_late(
     bytes_per_second: float, clock_hz: int, writes_per_second: float, rows: int, tmp_path: Path
 ) -> None:
     robot = Robot(tmp_path, clock_hz)

@@ -508,7 +508,7 @@ async def test_samples_continue_after_a_reconnection() -> None:
 
 
 @on_simulated_time
-async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_another() -> None:
+async def test_a_declared_group_has_a_schedule_that_a_program_may_override() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         state = robot.groups["state"]

@@ -292,7 +292,7 @@ async def connected(gateway: Any) -> Link:
 
 
 @on_simulated_time
-async def test_a_cancelled_connect_leaves_nothing_behind() -> None:
+async def test_a_cancelled_connect_leaves_no_task_or_connection() -> None:
     before = asyncio.all_tasks()
     with anyio.move_on_after(0.5) as scope:
         await unity_link.connect(Answering(lambda _: b""))

@@ -143,7 +143,7 @@ async def test_every_call_after_the_close_reports_that_the_link_was_closed(file:
 
 
 @on_simulated_time
-async def test_samples_come_at_their_rate(tmp_path: Path) -> None:
+async def test_samples_arrive_at_their_rate(tmp_path: Path) -> None:
     path = tmp_path / "bus"
     path.write_bytes(bytes(4 * WORDS))
     async with unity_link.connect(f"mmio:{path}") as link, link.subscribe([2, 1], rate_hz=100) as samples:

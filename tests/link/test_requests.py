@@ -396,7 +396,7 @@ async def test_a_link_has_the_configuration_of_its_gateway(make_gateway: Maker) 
         assert link.gateway.build_id == 0xCAFE
 
 
-async def test_statistics_count_what_happened(link: Link) -> None:
+async def test_statistics_count_requests_bytes_and_errors(link: Link) -> None:
     before = link.statistics
     await link.read_many(range(100))
     with pytest.raises(BusError):

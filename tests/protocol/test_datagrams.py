@@ -366,7 +366,7 @@ FORGED = st.one_of(
 
 
 @given(forged=st.lists(st.tuples(st.integers(0, 1), FORGED), max_size=6))
-def test_gateways_that_hear_each_other_fall_silent(forged: list[tuple[int, bytes]]) -> None:
+def test_gateways_connected_to_each_other_fall_silent(forged: list[tuple[int, bytes]]) -> None:
     under_way = deque(forged)
     sides = [_gateway_that_answers(1 - number, under_way, OFFER + number) for number in range(2)]
     carried = 0

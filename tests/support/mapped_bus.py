@@ -32,7 +32,7 @@ EMPTY = {
     "test_errors_of_posted_writes_without_a_fence_take_no_memory": FAILS,
     "test_a_request_for_a_missing_feature_raises_and_is_not_sent": CONFIGURATION,
     "test_a_link_has_the_configuration_of_its_gateway": CONFIGURATION,
-    "test_statistics_count_what_happened": FAILS,
+    "test_statistics_count_requests_bytes_and_errors": FAILS,
     "test_a_range_error_of_the_gateway_is_an_error_of_its_own": "nothing is sent that could be out of range",
     "test_a_subscription_returns_the_words_of_its_addresses": "a timer of the host is not exact: test_mapped.py",
     "test_all_groups_can_be_in_use_and_are_free_again_afterwards": CONFIGURATION,

@@ -359,7 +359,7 @@ async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url
             assert await link.read(1) == 0
 
 
-async def test_a_send_immediate_mode_for_a_chip_that_is_gone_is_a_lost_link(url: str) -> None:
+async def test_a_send_immediate_mode_for_an_unplugged_chip_is_a_lost_link(url: str) -> None:
     with plugged_in(url) as device:
         recorder = await connect(url)
         device.unplug()

@@ -161,7 +161,7 @@ async def test_an_installed_package_adds_a_medium_by_an_entry_point(
     assert await first_word("installed:?word=7") == 7
 
 
-def test_the_command_line_knows_the_media_of_installed_packages(install: Callable[..., Path]) -> None:
+def test_the_command_line_accepts_the_media_of_installed_packages(install: Callable[..., Path]) -> None:
     folder = install("medium-package", "installed = medium_package")
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(ROOT)])}
     command = [str(Path(sys.executable).with_name("unity-link")), "read", "installed:?word=7", "0"]

@@ -191,7 +191,7 @@ async def test_requests_wait_in_the_transport_if_a_slow_line_is_full() -> None:
 
 
 @on_simulated_time
-async def test_closing_executes_what_was_written_and_aborting_does_not() -> None:
+async def test_closing_executes_written_requests_and_aborting_does_not() -> None:
     for end, word in (("close", 7), ("abort", 0)):
         gateway = VirtualGateway()
         transport, protocol = await connected(gateway)

@@ -67,7 +67,7 @@ def test_the_model_answers_every_vector_exactly(path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: Path) -> None:
+def test_each_sample_precedes_the_answer_to_the_request_that_took_it(path: Path) -> None:
     gateway, steps = load(path)
     for step in steps:
         frames = cut(gateway.receive(step["send"].encode("latin-1"), 0.0))

@@ -19,7 +19,7 @@ def test_the_default_configuration_is_that_of_the_document() -> None:
 
 
 @given(info=gateway_infos())
-def test_any_configuration_comes_back(info: GatewayInfo) -> None:
+def test_any_configuration_is_decoded_as_it_was_encoded(info: GatewayInfo) -> None:
     assert GatewayInfo.from_hex(info.to_hex()) == info
 
 
@@ -29,7 +29,7 @@ def test_fields_that_a_later_version_appends_are_ignored(info: GatewayInfo, appe
 
 
 @given(info=gateway_infos())
-def test_digits_may_come_in_lower_case(info: GatewayInfo) -> None:
+def test_digits_of_a_configuration_may_be_in_lower_case(info: GatewayInfo) -> None:
     assert GatewayInfo.from_hex(info.to_hex().lower()) == info
 
 

@@ -64,7 +64,7 @@ def test_damage_to_adjacent_characters_is_found_up_to_the_bytes_of_the_crc(crc: 
     assert len(np.unique(crc_rows(crc, differences), axis=0)) == 1 << crc.bits
 
 
-def test_damage_to_the_last_character_and_the_first_digit_of_a_crc_16_is_found() -> None:
+def test_damage_to_the_last_character_and_first_digit_of_crc_16_is_found() -> None:
     # Such damage also changes other digits of the CRC.
     assert all(CRC_16.of(bytes([last])) & 0xFFF for last in range(1, 256))
 

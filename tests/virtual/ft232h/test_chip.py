@@ -244,7 +244,7 @@ def test_pyftdi_reads_the_same_settings_from_an_eeprom(kind: ChipKind) -> None:
     ("value", "index", "baud"),
     [(0, 0x0201, 12e6), (1, 0x0201, 8e6), (2, 0x0201, 6e6), (0x4138, 0x0001, 9600), (0xC068, 0x0201, 115_200)],
 )
-def test_the_divisor_gives_the_baud_rate(value: int, index: int, baud: float) -> None:
+def test_the_divisor_determines_the_baud_rate(value: int, index: int, baud: float) -> None:
     chip = new_chip()
     [port] = chip.ports
     chip.control_out(0x40, 0x03, value, index, 0.0)
@@ -319,7 +319,7 @@ def test_port_b_is_unusable_with_the_synchronous_fifo_of_port_a() -> None:
     assert modes == [[fifo, other], [fifo, fifo], [sync, other], [fifo, fifo]]
 
 
-def test_the_configuration_lists_an_interface_with_two_endpoints_for_each_port() -> None:
+def test_the_configuration_lists_an_interface_with_two_endpoints_per_port() -> None:
     answer = new_pair().control_in(0x80, 0x06, 0x0200, 0)
     assert len(answer) == int.from_bytes(answer[2:4], "little") == 9 + 2 * (9 + 7 + 7)
     assert answer[4] == 2
