@@ -1,1 +1,1 @@
-"""Mutation testing of the protocol package: small random faults are put into it, each of which a test must find."""
+"""Mutation testing of `protocol` and `capture`: small random faults are put in, each of which a test must find."""

@@ -69,7 +69,7 @@ def choose(count: int, seed: int) -> list[Mutant]:
 
 
 def module_of(path: Path) -> str:
-    """Return the name by which mutants know a file of the package."""
+    """Return the module name of a file of the package, as in `Mutant.module`."""
     return path.relative_to(ROOT / PACKAGE).with_suffix("").as_posix()
 
 

@@ -1,4 +1,4 @@
-"""The exploration of `datagrams` with the classes of `unity_link.protocol.datagrams` in place of the model's headers.
+"""The exploration of `datagrams` with `HostDatagrams` and `GatewayDatagrams` in place of the model's headers.
 
 The model decides how host and gateway react to frames; the real classes handle the datagrams. Each state stores the
 fields of both sides. Each step restores them, lets the class put or take one datagram, and reads the fields again.
