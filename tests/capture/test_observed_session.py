@@ -1,4 +1,4 @@
-"""The number of a session, found by a listener from the frames that pass."""
+"""A passive listener finds the number of a session from the frames on the line."""
 
 from __future__ import annotations
 
@@ -16,14 +16,16 @@ CODECS = [Codec(GatewayInfo()), Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x
 
 
 @given(bits=st.sampled_from([8, 16, 32]), polynomial=st.integers(0, 127), data=st.binary(), begun=st.integers(0, 0xFF))
-def test_a_crc_runs_backwards(bits: int, polynomial: int, data: bytes, begun: int) -> None:
+def test_the_initial_value_of_a_crc_is_computed_from_its_result(
+    bits: int, polynomial: int, data: bytes, begun: int
+) -> None:
     crc = Crc(bits, 2 * polynomial + 1)
     assert crc.begun(data, crc.of(data, begun)) == begun
 
 
 @pytest.mark.parametrize("codec", CODECS, ids=["CRC-16", "CRC-32", "node"])
 @pytest.mark.parametrize("from_gateway", [True, False])
-def test_two_frames_show_which_session_is_under_way(codec: Codec, from_gateway: bool) -> None:
+def test_two_frames_reveal_the_number_of_the_session(codec: Codec, from_gateway: bool) -> None:
     overheard, seed = ObservedSession(codec.framing), seed_of(0x1234, from_gateway=from_gateway)
     first, second = codec.framing.checked(b"h000000", seed)[:-1], codec.framing.checked(b"r00100000005", seed)[:-1]
     with pytest.raises(CheckError):
@@ -33,7 +35,7 @@ def test_two_frames_show_which_session_is_under_way(codec: Codec, from_gateway: 
     assert overheard.number == 0x1234
 
 
-def test_damaged_frames_of_a_known_session_stay_damaged_and_one_of_another_does_not_change_it() -> None:
+def test_a_damaged_or_foreign_frame_does_not_change_a_known_session() -> None:
     codec = CODECS[0]
     overheard = ObservedSession(codec.framing)
     overheard.hear(DecodedResponse("K", None, {"k": 0x1234}))
@@ -44,6 +46,6 @@ def test_damaged_frames_of_a_known_session_stay_damaged_and_one_of_another_does_
     with pytest.raises(CheckError):
         overheard.open(codec.framing.checked(b"h000000", seed_of(5, from_gateway=True))[:-1], from_gateway=True)
     assert overheard.open(frame, from_gateway=True) == b"h000000"
-    # Behind a reset nothing has a session.
+    # After a reset, frames belong to no session.
     refused = codec.framing.checked(b"x0000A1234")[:-1]
     assert overheard.open(refused, from_gateway=True) == b"x0000A1234"

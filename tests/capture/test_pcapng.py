@@ -1,4 +1,4 @@
-"""The records of a snoop: whatever is cut off or damaged, what was whole before is read, and nothing else."""
+"""The records of a snoop: from a cut or damaged file, exactly the complete records before the damage are read."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ HEAD = pcapng.section() + b"".join(pcapng.interface(f"gateway {number}") for num
 
 
 def read(data: bytes) -> tuple[list[Packet], DamagedFileError | None]:
-    """Return the packets before the first damage, and that."""
+    """Return the packets before the first damage, and the error of the damage."""
     found: list[Packet] = []
     try:
         for block in pcapng.blocks(data):
@@ -27,7 +27,7 @@ def read(data: bytes) -> tuple[list[Packet], DamagedFileError | None]:
 
 
 @given(st.lists(PACKETS, max_size=8), st.text(max_size=20))
-def test_what_was_written_is_read(packets: list[Packet], name: str) -> None:
+def test_packets_are_read_as_they_were_written(packets: list[Packet], name: str) -> None:
     data = pcapng.section() + pcapng.interface(name) + b"".join(map(pcapng.packet, packets))
     assert read(data) == (packets, None)
     section, interface, *_ = pcapng.blocks(data)
@@ -38,7 +38,7 @@ def test_what_was_written_is_read(packets: list[Packet], name: str) -> None:
 
 
 @given(st.lists(PACKETS, min_size=1, max_size=8), st.data())
-def test_of_a_file_that_was_cut_anywhere_all_whole_records_are_read(packets: list[Packet], data: st.DataObject) -> None:
+def test_all_complete_records_of_a_cut_file_are_read(packets: list[Packet], data: st.DataObject) -> None:
     ends = [len(HEAD)]
     whole = HEAD
     for packet in packets:
@@ -53,7 +53,7 @@ def test_of_a_file_that_was_cut_anywhere_all_whole_records_are_read(packets: lis
 
 
 @given(st.lists(PACKETS, min_size=1, max_size=4), st.binary(min_size=1, max_size=64))
-def test_what_is_no_record_ends_the_file_and_hides_nothing_before_it(packets: list[Packet], noise: bytes) -> None:
+def test_bytes_that_are_no_record_do_not_hide_earlier_records(packets: list[Packet], noise: bytes) -> None:
     whole = HEAD + b"".join(map(pcapng.packet, packets))
     found, _ = read(whole + noise)
     assert found[: len(packets)] == packets
@@ -80,6 +80,6 @@ def test_a_connection_ends_with_its_time_and_the_reason() -> None:
         (struct.pack("<IHHq", pcapng.ORDER, 1, 0, -1), "but of another program"),
     ],
 )
-def test_a_file_of_another_program_is_told_from_a_snoop(body: bytes, words: str) -> None:
+def test_a_file_of_another_program_is_distinguished_from_a_snoop(body: bytes, words: str) -> None:
     with pytest.raises(ValueError, match=words):
         pcapng.check_section(body)

@@ -1,4 +1,4 @@
-"""Frames in words: both directions, whatever the cuts, and samples by the settings that the gateway has confirmed."""
+"""Decoded capture: both directions, cut anywhere; samples follow the settings that the gateway has confirmed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def checked(body: bytes) -> bytes:
 
 
 def frames_of(*lines: bytes) -> list[TimedFrame]:
-    """Return the frames of whole lines, each with its direction before it."""
+    """Decode whole lines, each with its direction as first character; return their frames."""
     transcript = Transcript()
     return [
         frame
@@ -119,7 +119,7 @@ def test_each_error_has_the_words_of_its_own_code(code: bytes, text: str) -> Non
     assert text in said
 
 
-def test_damage_and_noise_are_told_apart() -> None:
+def test_damaged_frames_are_distinguished_from_noise() -> None:
     damaged = checked(b"R0A").replace(b"A", b"B", 1)
     kinds = [
         frame.meaning.kind for frame in frames_of(b">" + damaged, b"<" + damaged, b">" + checked(b"J"), b"<hello\r\n")
@@ -144,7 +144,7 @@ def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
     assert said[7] == "sample 0 of group 3 at 1.000000 s: 0x0A = 1, 0x0B = 2"
 
 
-def test_settings_without_an_id_are_confirmed_by_the_answer_to_them_and_no_other() -> None:
+def test_settings_without_an_id_are_confirmed_only_by_their_answer() -> None:
     said = words(
         b">" + checked(b"GS0301000A010A"),
         b"<" + checked(b"GX03"),
@@ -156,7 +156,7 @@ def test_settings_without_an_id_are_confirmed_by_the_answer_to_them_and_no_other
     assert said[4] == "sample 0 of group 3: 0x0A = 7"
 
 
-def test_settings_that_were_refused_change_nothing() -> None:
+def test_refused_settings_do_not_change_how_samples_are_decoded() -> None:
     said = words(
         b">" + checked(b"gs0000301000A010A"),
         b"<" + checked(b"gs000"),
@@ -168,7 +168,7 @@ def test_settings_that_were_refused_change_nothing() -> None:
     assert said[-1] == "sample 0 of group 3: 0x0A = 7"
 
 
-def test_a_request_that_is_sent_again_is_known_by_its_id_and_has_no_round_trip() -> None:
+def test_a_retransmission_is_recognised_by_its_id_and_has_no_round_trip() -> None:
     frames = frames_of(
         b">" + checked(b"KFFF1234"),
         b">" + checked(b"rFFF0A"),
@@ -193,7 +193,7 @@ def test_the_widths_are_those_of_the_gateways_answer(info: GatewayInfo) -> None:
     assert said.meaning.words == "read 0x0A"
 
 
-def test_frames_of_a_shared_medium_are_read_without_their_prefix() -> None:
+def test_frames_of_a_shared_medium_are_decoded_without_their_prefix() -> None:
     info = GatewayInfo(features=GatewayInfo().features | Feature.ADDRESSED)
     said = words(
         b">Z1AQ\r",
@@ -211,7 +211,7 @@ WHOLE = b"".join((b"\nQ\r", checked(b"K0001234"), checked(b"r0000A"), b"R0A\r\n"
 
 
 @given(st.lists(st.integers(0, len(WHOLE))), st.booleans())
-def test_frames_are_the_same_however_the_bytes_are_cut(cuts: list[int], sent: bool) -> None:
+def test_the_decoded_frames_do_not_depend_on_the_cuts(cuts: list[int], sent: bool) -> None:
     def frames(*pieces: bytes) -> list[bytes]:
         transcript = Transcript()
         return [frame.frame for piece in pieces for frame in transcript.take(piece, 0.0, sent=sent)]
@@ -230,7 +230,7 @@ def test_any_bytes_have_words(passed: list[tuple[bytes, bool]]) -> None:
         assert frame.meaning.kind is FrameKind.DAMAGED
 
 
-def test_the_words_of_a_sample_without_a_timestamp_are_all_that_it_has_whatever_else_its_group_is() -> None:
+def test_a_sample_without_a_timestamp_has_only_the_words_of_its_group() -> None:
     said = words(
         b">" + checked(b"gs000033100010110"),
         b"<" + checked(b"gs000"),
@@ -246,14 +246,14 @@ COMPACT = GatewayInfo(features=GatewayInfo().features | Feature.COMPACT)
     "cut",
     [b"\xb5\x00\x00\xd3J^V\r", b"\xb5\x00\x00\xd3J^V\n", b"\xb5\x00\x00\xd3J^V\xd3\xca", b"r0000A5E56\xca", b"\xca"],
 )
-def test_a_cut_frame_is_damaged_whatever_it_says(cut: bytes) -> None:
+def test_a_cut_compact_frame_is_damaged(cut: bytes) -> None:
     whole = b"\xb5\x00\x00\xd3J^V\xca"
     opening = b">" + checked(b"K0009234"), b"<" + checked(b"K00092340000")
     kinds = [frame.meaning.kind for frame in frames_of(*opening, b">" + whole, b">" + cut, b">" + whole)][2:]
     assert kinds == [FrameKind.REQUEST, FrameKind.DAMAGED, FrameKind.REQUEST]
 
 
-def test_requests_of_a_trial_are_not_counted_as_sent_before() -> None:
+def test_requests_of_a_trial_are_not_counted_as_retransmissions() -> None:
     gateway, transcript, number = VirtualGateway(COMPACT), Transcript(), 0x1234
     codec = HostCodec(COMPACT)
     trial = Trial(codec, number, takes_turns=False)

@@ -1,4 +1,4 @@
-"""Pin sides of cores: what a plant sets becomes edges, and what it reads is measured."""
+"""Pin sides of cores: values that a plant sets become edges, and values that it reads are measured at the pins."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ STEP = CLOCK // 1000
 
 
 class Board(dict[str, int]):
-    """Pins of one core, with the levels that they have and will have."""
+    """Pins of one core, with their present levels and their scheduled ones."""
 
     def __init__(self, *pins: str) -> None:
         super().__init__(dict.fromkeys(pins, 0))
@@ -49,7 +49,7 @@ class Board(dict[str, int]):
         return self.pulses
 
     def pass_cycle(self, cycle: int) -> int:
-        """Take the levels of a cycle; return how many pins have changed."""
+        """Apply the levels of a cycle; return the number of pins that have changed."""
         due = [one for one in self.to_come if one[0] <= cycle]
         self.to_come = [one for one in self.to_come if one[0] > cycle]
         before = dict(self)
@@ -60,11 +60,11 @@ class Board(dict[str, int]):
 
 class Turning(SimulatedRobot):
     def step(self, dt: float) -> None:
-        """Be moved by the test."""
+        """Do nothing: the test moves the robot."""
 
 
 def joined(interface: Interface, path: str, board: Board) -> tuple[Any, Any]:
-    """Return a robot whose core is at the pins of a board, and the pin side of that."""
+    """Return a robot with one core at the pins of a board, and the pin side of that core."""
     robot = Turning(interface)
     robot.prepare()
     robot.cores.take_clock(CLOCK, lambda now: round(now * CLOCK))
@@ -90,12 +90,12 @@ LEVELS = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 @pytest.mark.slow
 @given(moves=st.lists(st.integers(-35, 35), min_size=1, max_size=12), samples=st.sampled_from([1, 3, 15]))
-def test_a_position_becomes_edges_one_at_a_time_that_the_filter_lets_through(moves: list[int], samples: int) -> None:
+def test_a_position_becomes_single_edges_that_pass_the_filter(moves: list[int], samples: int) -> None:
     board = Board("a", "b")
     robot, _ = encoder(f"FILTER={samples}", board)
     assert isinstance(robot.cores.at_pins["wheel"], EncoderAtPins)
     seen = state = position = 0
-    # Behind the last one it stands still.
+    # The position does not change after the last move.
     for number, move in enumerate([0, *moves, 0, 0]):
         robot.cores.step((number + 1) * STEP / CLOCK)
         position += move
@@ -125,7 +125,7 @@ def test_edges_of_an_even_motion_are_evenly_spaced(speed: float, samples: int) -
     assert all(spacing == pytest.approx(STEP / speed, abs=1.01) for spacing in spacings)
 
 
-def test_a_position_that_jumps_is_followed_as_fast_as_the_core_can_and_said(caplog: pytest.LogCaptureFixture) -> None:
+def test_a_jump_of_a_position_is_followed_at_full_speed_and_logged(caplog: pytest.LogCaptureFixture) -> None:
     board = Board("a", "b", "z")
     robot, _ = encoder("FILTER=15, COUNTS=100", board)
     run_step(robot, 0)
@@ -158,7 +158,7 @@ def test_a_counter_counts_rising_edges_down_while_b_is_high() -> None:
     assert count == position == -12
 
 
-def test_a_reset_goes_on_from_the_levels_that_the_pins_have() -> None:
+def test_a_reset_continues_from_the_present_levels_of_the_pins() -> None:
     board = Board("a", "b")
     robot, side = encoder("FILTER=1", board)
     run_step(robot, 0)
@@ -167,7 +167,7 @@ def test_a_reset_goes_on_from_the_levels_that_the_pins_have() -> None:
     board.pass_cycle(10**6)
     robot.wheel.position = 11
     run_step(robot, 2)
-    # The edges to come are lost.
+    # The edges that are not yet due are lost.
     board.to_come.clear()
     robot.cores.reset()
     robot.wheel.position = 12
@@ -180,7 +180,7 @@ def test_a_reset_goes_on_from_the_levels_that_the_pins_have() -> None:
     ("mode", "pulse", "other", "volts"),
     [("sign", 0.25, 0.0, 3), ("sign", 0.25, 1.0, -3), ("up_down", 0, 0.5, -6), ("offset", 0.75, 0.25, 6)],
 )
-def test_a_plant_reads_what_a_pwm_has_at_its_pins(mode: str, pulse: float, other: float, volts: float) -> None:
+def test_a_plant_reads_the_voltage_at_the_pins_of_a_pwm(mode: str, pulse: float, other: float, volts: float) -> None:
     board = Board("pwm", "dir")
     text = f'public robot() {{ left: PWM(MODE="{mode}", LIMIT=12, UNIT="V") @(0x10); }}'
     robot, side = joined(compile_text(text).interface(), "left", board)
@@ -208,7 +208,7 @@ def test_a_plant_reads_the_steps_that_a_step_generator_has_sent(reverse: bool) -
         _ = robot.x.velocity
 
 
-def test_what_has_no_pin_and_what_pins_do_not_tell_is_refused() -> None:
+def test_a_plant_cannot_access_registers_of_a_core_at_pins() -> None:
     robot, _ = encoder("FILTER=1", Board("a"))
     for name in ("position", "velocity"):
         with pytest.raises(ArgumentError, match=f"wheel.{name} is a register of a core"):

@@ -1,4 +1,4 @@
-"""The balancer of the examples stands while its program runs, and its motors are off when that has died."""
+"""The balancer of the examples balances while its program runs; its motors are off after the program died."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ ON = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark
 @pytest.mark.slow
 @ON
 @on_simulated_time
-async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
+async def test_the_balancer_balances_and_returns_to_its_place(rtl: bool) -> None:
     program, plant = imported(FOLDER / "balance.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "balancer.ul", plant.Balancer, rtl=rtl)
     running = asyncio.ensure_future(program.balance(gateway))
     robot: Any = gateway.robot
-    # A PWM with 16 widths rocks it.
+    # A PWM with only 16 widths makes it sway.
     rest, way = (0.08, 1.0) if rtl else (0.02, 0.5)
     await asyncio.sleep(1)
     assert robot.drive.armed
@@ -41,7 +41,7 @@ async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
     with pytest.raises(asyncio.CancelledError):
         await running
     assert not robot.drive.enable
-    # The robot's time passes only while a link is open.
+    # The robot's time advances only while a link is open.
     async with unity_link.connect(gateway):
         await asyncio.sleep(0.01)
     assert (robot.left.value, robot.right.value, robot.drive.enable) == (0, 0, 0)
@@ -50,7 +50,7 @@ async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
 @pytest.mark.slow
 @ON
 @on_simulated_time
-async def test_its_motors_are_off_when_its_loop_stands_still(rtl: bool) -> None:
+async def test_the_motors_are_off_when_the_control_loop_has_stopped(rtl: bool) -> None:
     program, plant = imported(FOLDER / "balance.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "balancer.ul", plant.Balancer, rtl=rtl)
     robot: Any = gateway.robot
@@ -61,7 +61,7 @@ async def test_its_motors_are_off_when_its_loop_stands_still(rtl: bool) -> None:
                 await own.left.value.set(6)
                 break
             if rtl:
-                # What is measured is that of a step.
+                # A pulse is measured over a step of the plant, so let one pass.
                 await asyncio.sleep(0.01)
             assert robot.left.value == pytest.approx(6, abs=0.01 if not rtl else 0.4)
             await asyncio.sleep(0.2)

@@ -1,4 +1,4 @@
-"""The Python of cores: found beside their maps, never run to check a spec, in `load`, generated modules and `sim:`."""
+"""The Python modules of cores: found beside their maps, not run by `check`, used by `load`, `generate` and `sim:`."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ public robot() {
 
 
 def write(folder: Path, python: str = PYTHON) -> Path:
-    """Write a spec with a core beside it; return the path of the spec."""
+    """Write a spec with a core in the folder beside it; return the path of the spec."""
     core = folder / "cores" / "blink"
     core.mkdir(parents=True)
     (core / "blink.ul").write_text(MAP)
@@ -84,7 +84,7 @@ def write(folder: Path, python: str = PYTHON) -> Path:
 
 
 class Plant(SimulatedRobot):
-    """Presses what the left one senses, once."""
+    """Sets the input of the left core to 1 and leaves it there."""
 
     step_seconds = 0.01
 
@@ -94,7 +94,7 @@ class Plant(SimulatedRobot):
 
 
 @on_simulated_time
-async def test_verbs_are_methods_and_a_signal_of_their_name_has_an_underscore(tmp_path: Path) -> None:
+async def test_the_core_api_is_methods_and_signals_of_their_name_get_an_underscore(tmp_path: Path) -> None:
     spec = write(tmp_path)
     async with unity_link.connect(simulate(spec)) as link:
         robot = unity_link.load(spec)(link)
@@ -108,7 +108,7 @@ async def test_verbs_are_methods_and_a_signal_of_their_name_has_an_underscore(tm
 
 
 @on_simulated_time
-async def test_a_model_has_its_placement_the_clock_the_pins_and_triggers(tmp_path: Path) -> None:
+async def test_a_model_has_its_placement_clock_pins_and_triggers(tmp_path: Path) -> None:
     spec = write(tmp_path)
     gateway = simulate(spec, Plant)
     async with unity_link.connect(gateway) as link:
@@ -126,7 +126,7 @@ async def test_a_model_has_its_placement_the_clock_the_pins_and_triggers(tmp_pat
         assert gateway.robot.left.count == 0
 
 
-def test_the_python_of_a_core_runs_neither_to_check_a_spec_nor_to_show_it(tmp_path: Path) -> None:
+def test_check_and_show_do_not_run_the_python_of_a_core(tmp_path: Path) -> None:
     spec = write(tmp_path, "raise SystemExit('it ran')")
     for command in ("check", "show"):
         subprocess.run([PROGRAM, command, str(spec)], check=True, capture_output=True)
@@ -146,13 +146,13 @@ def test_the_python_of_a_core_runs_neither_to_check_a_spec_nor_to_show_it(tmp_pa
         ),
     ],
 )
-def test_python_that_does_not_work_is_told_in_a_sentence(tmp_path: Path, python: str, says: str) -> None:
+def test_broken_python_of_a_core_is_reported_in_one_sentence(tmp_path: Path, python: str, says: str) -> None:
     spec = write(tmp_path, python)
     with pytest.raises(ArgumentError, match=says):
         unity_link.load(spec)
 
 
-def test_a_generated_module_has_the_verbs_as_bases_and_brings_the_python_of_a_core_along(tmp_path: Path) -> None:
+def test_a_generated_module_includes_the_python_of_a_core(tmp_path: Path) -> None:
     spec = write(tmp_path)
     subprocess.run([PROGRAM, "generate", "python", str(spec), "-o", str(tmp_path / "out")], check=True)
     text = (tmp_path / "out" / "robot.py").read_text()
@@ -175,7 +175,7 @@ asyncio.run(main())
     assert done.stdout == "1 ['left', 'right']\n"
 
 
-def test_a_package_brings_the_python_of_its_cores_which_is_imported_by_name(
+def test_a_package_has_the_python_of_its_cores_imported_by_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     core = tmp_path / "shelf_of_cores" / "blink"

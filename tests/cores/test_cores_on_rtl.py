@@ -1,4 +1,4 @@
-"""Cores and leases on the compiled gateware: what is at its pins, to the clock cycle."""
+"""Cores and leases on the compiled gateware: the levels at its pins, exact to the clock cycle."""
 
 from __future__ import annotations
 
@@ -40,13 +40,13 @@ public rover() {
 
 
 class Rover:
-    """The compiled rover, the program's side of it, and its pins."""
+    """The compiled rover, a program's view of it, and its pins."""
 
     def __init__(self, path: Path) -> None:
         spec = path / "rover.ul"
         spec.write_text(SPEC)
         self.spec = compile_file(spec)
-        # As quick as a board: an answer takes no time of the wall, and cycles.
+        # As quick as a board: an answer takes cycles of the gateware, but no time of the event loop.
         self.gateway = simulate(spec, rtl=True, clock_hz=2_400_000)
         self.bare: Any = self.gateway._gateway
         self.fell: list[int] = []
@@ -56,7 +56,7 @@ class Rover:
         return dict(self.gateway.ports)
 
     def now(self) -> int:
-        """Return the gateway's clock at this instant; cycles are worked out later."""
+        """Return the gateway's clock at this instant, in ticks; the cycles until then are simulated later."""
         return int(self.bare.ticks_at(asyncio.get_running_loop().time()))
 
     def see(self, *names: str) -> tuple[int, ...]:
@@ -71,7 +71,7 @@ def rover(tmp_path: Path) -> Rover:
 @pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
-async def test_outputs_are_safe_in_the_cycle_behind_the_end_of_the_last_kick(rover: Rover) -> None:
+async def test_outputs_are_safe_in_the_cycle_after_the_end_of_the_last_kick(rover: Rover) -> None:
     ports = rover.ports
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
@@ -103,7 +103,7 @@ async def test_outputs_are_safe_in_the_cycle_behind_the_end_of_the_last_kick(rov
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_an_open_e_stop_stops_at_once_and_lets_nobody_arm(rover: Rover) -> None:
+async def test_an_open_e_stop_stops_at_once_and_prevents_arming(rover: Rover) -> None:
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         async with robot.drive.armed(timeout=TIMEOUT) as lease:
@@ -124,14 +124,14 @@ async def test_an_open_e_stop_stops_at_once_and_lets_nobody_arm(rover: Rover) ->
         await asyncio.sleep(0.01)
         async with robot.drive.armed(timeout=TIMEOUT):
             assert rover.see("lamp", "drive_enable") == (0, 1)
-            # What was asked for before does not come back.
+            # The lamp does not return to the value of the earlier lease.
             await robot.lamp.set(True)
             assert rover.see("lamp") == (1,)
 
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_samples_that_the_loop_takes_keep_the_lease(rover: Rover) -> None:
+async def test_a_loop_over_samples_keeps_the_lease_armed(rover: Rover) -> None:
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         seen = 0
@@ -149,7 +149,7 @@ async def test_samples_that_the_loop_takes_keep_the_lease(rover: Rover) -> None:
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_middle_of_a_pulse(rover: Rover) -> None:
+async def test_a_pwm_has_the_duty_and_sign_of_its_value_and_stops_within_a_pulse(rover: Rover) -> None:
     ports = rover.ports
     clock_hz = rover.gateway.info.clock_hz
     async with unity_link.connect(rover.gateway) as link:
@@ -157,7 +157,7 @@ async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_mid
         async with robot.drive.armed(timeout=0.05) as lease:
             for volts in (3, -9, 12, 0):
                 await robot.left.value.set(volts)
-                # The value counts from the next period on.
+                # A value takes effect at the next period.
                 await asyncio.sleep(0.001)
                 ports["left_pwm"].take_counts()
                 await lease.kick()
@@ -171,7 +171,7 @@ async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_mid
                 await lease.kick()
             await robot.left.value.set(12)
             await asyncio.sleep(0.001)
-            # Cycles are worked out when something looks.
+            # The gateware simulates cycles when a request or a test reads its state.
             assert await robot.left.value.get() == 12
             assert rover.see("left_pwm") == (1,)
             await robot.drive.stop()
@@ -183,7 +183,7 @@ async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_mid
 @pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
-async def test_an_encoder_counts_what_its_pins_show_and_knows_how_fast(rover: Rover) -> None:
+async def test_an_encoder_measures_position_and_velocity_from_its_pins(rover: Rover) -> None:
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         levels = ((0, 0), (1, 0), (1, 1), (0, 1))
@@ -206,7 +206,7 @@ async def test_an_encoder_counts_what_its_pins_show_and_knows_how_fast(rover: Ro
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rover) -> None:
+async def test_a_gpio_counts_edges_and_is_driven_only_under_a_lease(rover: Rover) -> None:
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         assert await robot.line.level.get() is False
@@ -219,7 +219,7 @@ async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rove
             await robot.line.output.set(True)
             await robot.line.drive.set(True)
             assert rover.see("line_pin_out", "line_pin_oe") == (1, 1)
-            # As at a pad: it reads what it drives.
+            # As at a pad, the input of the pin is its output.
             await asyncio.sleep(0.001)
             assert await robot.line.level.get() is True
         assert rover.see("line_pin_oe") == (0,)
@@ -228,17 +228,17 @@ async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rove
 
 
 class Plant(SimulatedRobot):
-    """A wheel that turns as fast as its motor says, and a pin that shows the level of another one."""
+    """A wheel that turns in proportion to its motor's voltage, and a button with the level of the lamp."""
 
     def start(self) -> None:
-        """Stand still."""
+        """Stop the wheel."""
         self.angle = 0.0
         self.volts: list[float] = []
         self.armed_for = self.lit_for = 0
         self.seen: list[tuple[str, Any]] = []
 
     def step(self, dt: float) -> None:
-        """Turn."""
+        """Turn the wheel by one step, and record the outputs."""
         self.volts.append(self.left.value)
         self.angle += 2.0 * self.left.value * dt
         self.wheel.position = self.angle
@@ -247,7 +247,7 @@ class Plant(SimulatedRobot):
         self.button = self.lamp
 
     def written(self, path: str, value: Any) -> None:
-        """Keep what programs write to signals at pins."""
+        """Record the values that programs write to signals at pins."""
         if path in {"lamp", "free"}:
             self.seen.append((path, value))
 
@@ -269,7 +269,7 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
             assert (plant.lamp, plant.free, await robot.button.get()) == (False, 3, False)
             await robot.lamp.set(True)
             await robot.free.set(9)
-            # A look from outside takes nothing from `written`.
+            # Reading the values from outside does not call `written`.
             assert {plant.lamp, plant.free} <= {False, True, 3, 9}
             await asyncio.sleep(0.01)
             await lease.kick()
@@ -289,7 +289,7 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
             assert plant.lit_for == pytest.approx(250, abs=5)
             await robot.left.value.set(6)
             await asyncio.sleep(0.2)
-        # The writes went on and the kicks did not.
+        # The writes went on after the last kick.
         assert (plant.left.value, plant.drive.armed, plant.line.level) == (0, False, False)
         assert (plant.lamp, plant.free) == (False, 9)
         assert await robot.wheel.errors.get() == 0
@@ -299,7 +299,7 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
 @pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
-async def test_requests_without_a_pause_do_not_run_the_clock_away(rover: Rover) -> None:
+async def test_requests_without_a_pause_do_not_let_the_clock_run_ahead(rover: Rover) -> None:
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         async with robot.drive.armed(timeout=0.02) as lease:
@@ -308,7 +308,7 @@ async def test_requests_without_a_pause_do_not_run_the_clock_away(rover: Rover) 
                 await robot.lamp.set(True)
                 await lease.kick()
                 assert rover.bare.cycles - rover.now() < 0.006 * rover.gateway.info.clock_hz
-            # So they take the time that the gateware takes for them.
+            # So the requests take the time that the gateware needs for them.
             assert asyncio.get_running_loop().time() - begun > 0.03
 
 
@@ -317,14 +317,14 @@ KILLS = 200
 
 
 async def live_and_end(rover: Rover, way: str, chance: random.Random) -> tuple[int, int]:
-    """Run a program until it ends in a way; return the end of its last kick, and the latest one that may be."""
+    """Run a program until it ends in one of `WAYS`; return the end of its last kick, and the latest possible end."""
     timeout = chance.uniform(0.01, 0.03)
     async with unity_link.connect(rover.gateway) as link:
         robot = unity_link.load(rover.spec)(link)
         lease = robot.drive.armed(timeout=timeout)
         await lease.__aenter__()
         made = rover.now()
-        # Answers come at once in modelled time, and take cycles: as many the clock that was read is ahead of it.
+        # In simulated time answers take no time but cycles; the gateway's cycles are ahead of the time by as many.
         ahead = max(0, rover.bare.cycles - made)
         assert rover.see("lamp", "drive_enable") == (0, 1)
         await robot.lamp.set(True)
@@ -343,7 +343,7 @@ async def live_and_end(rover: Rover, way: str, chance: random.Random) -> tuple[i
                         await robot.lamp.set(True)
                         await asyncio.sleep(timeout / 20)
             case "kicks late":
-                # The last kick, repeated as by a line that repeats, and a kick with another token.
+                # The last kick again, as on a line that duplicates frames, and a kick with another token.
                 for _ in range(30):
                     await link.post_many(robot.drive.kick.signal.addresses, stale)
                     await link.post_many(robot.drive.kick.signal.addresses, [stale[0] + 1000, stale[1] ^ 1 << 20])
@@ -381,7 +381,7 @@ async def outlive(rover: Rover, kills: int) -> None:
                 assert fell <= latest, (kill, way)
             else:
                 assert reason == {"is disarmed": "disarmed", "loses the e-stop": "estop", "resets": "none_yet"}[way]
-            # What was asked for before does not come back with the next lease.
+            # Outputs do not return to their earlier values under the next lease.
             async with robot.drive.armed(timeout=0.02):
                 assert rover.see("lamp", "drive_enable", "speed") == (0, 1, 0xFFFB), (kill, way)
 
@@ -389,12 +389,12 @@ async def outlive(rover: Rover, kills: int) -> None:
 @pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
-async def test_programs_that_end_in_every_way_leave_their_outputs_safe(rover: Rover) -> None:
+async def test_outputs_are_safe_however_a_program_ends(rover: Rover) -> None:
     await outlive(rover, KILLS)
 
 
 @pytest.mark.campaign
 @pytest.mark.rtl
 @on_simulated_time
-async def test_ten_thousand_programs_that_end_leave_their_outputs_safe(rover: Rover) -> None:
+async def test_outputs_are_safe_after_ten_thousand_programs(rover: Rover) -> None:
     await outlive(rover, 10_000)

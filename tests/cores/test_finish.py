@@ -1,4 +1,4 @@
-"""Leases whose owner wants what is scheduled to run out when it is silent: on `sim:` and on compiled gateware."""
+"""Leases whose owner lets scheduled writes run out after silence, on `sim:` and on compiled gateware."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ on_both = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest
 
 
 class World:
-    """A robot, and its gateway."""
+    """A robot and its gateway."""
 
     def __init__(self, path: Path, *, rtl: bool) -> None:
         spec = path / "robot.ul"
@@ -65,7 +65,7 @@ def world(rtl: bool, tmp_path: Path) -> World:
 
 
 async def schedule(robot: Any, rows: int, every: float) -> Instant:
-    """Schedule rows 1, 2 and on from 10 ms ahead, and return the instant of the last one."""
+    """Schedule rows 1, 2, ... from 10 ms ahead; return the instant of the last row."""
     clock = await robot.plan.clock()
     first = clock.now().after(0.01)
     instants: list[Instant] = [first.after(row * every) for row in range(rows)]
@@ -79,7 +79,7 @@ async def state(robot: Any) -> tuple[str, str]:
 
 
 async def seen_until_safe(robot: Any, seconds: float = 1.0) -> list[int]:
-    """Return the values that the output has had, up to the first that is safe."""
+    """Return the successive values of the output, up to the first safe one."""
     seen: list[int] = []
     for _ in range(round(seconds / 0.001)):
         value = await robot.duty.get()
@@ -87,13 +87,13 @@ async def seen_until_safe(robot: Any, seconds: float = 1.0) -> list[int]:
         if value == -1:
             return seen
         await asyncio.sleep(0.001)
-    pytest.fail(f"it is never safe: {seen}")
+    pytest.fail(f"the output is never safe: {seen}")
 
 
 @pytest.mark.slow
 @on_both
 @on_simulated_time
-async def test_what_was_accepted_runs_out_and_all_is_safe_behind_the_last_of_it(world: World) -> None:
+async def test_scheduled_writes_run_out_and_outputs_are_safe_after_the_last_one(world: World) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
         async with robot.armed(timeout=0.05, on_silence="finish"):
@@ -105,7 +105,7 @@ async def test_what_was_accepted_runs_out_and_all_is_safe_behind_the_last_of_it(
             assert await state(robot) == ("finishing", "none_yet")
             assert (await robot.drive.armed_.get(), await robot.lamp.get()) == (True, 7)
             seen = await seen_until_safe(robot)
-            # The last one acts for two cycles.
+            # The last value acts for two cycles.
             assert seen[:-1] == [*range(seen[0], len(seen) - 1 + seen[0])]
             assert seen[0] < 11
             assert seen[-2] in {19, 20}
@@ -119,7 +119,7 @@ async def test_what_was_accepted_runs_out_and_all_is_safe_behind_the_last_of_it(
 @pytest.mark.slow
 @on_both
 @on_simulated_time
-async def test_it_runs_out_for_the_seconds_of_finish_and_no_longer(world: World) -> None:
+async def test_scheduled_writes_run_out_for_at_most_finish_seconds(world: World) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
         lease = robot.armed(timeout=0.05, on_silence="finish")
@@ -137,7 +137,7 @@ async def test_it_runs_out_for_the_seconds_of_finish_and_no_longer(world: World)
 
 @on_both
 @on_simulated_time
-async def test_nothing_new_is_taken_while_it_runs_out(world: World) -> None:
+async def test_new_requests_are_refused_while_scheduled_writes_run_out(world: World) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
         async with robot.armed(timeout=0.05, on_silence="finish") as lease:
@@ -162,7 +162,7 @@ async def test_nothing_new_is_taken_while_it_runs_out(world: World) -> None:
 @on_both
 @pytest.mark.parametrize("way", ["e-stop", "disarm", "cancel"])
 @on_simulated_time
-async def test_it_ends_at_once(world: World, way: str) -> None:
+async def test_an_e_stop_a_disarm_or_a_cancel_ends_the_finish_at_once(world: World, way: str) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
         async with robot.armed(timeout=0.05, on_silence="finish"):
@@ -186,7 +186,7 @@ async def test_it_ends_at_once(world: World, way: str) -> None:
 @on_both
 @pytest.mark.parametrize("on_silence", ["finish", "safe"])
 @on_simulated_time
-async def test_an_end_with_nothing_scheduled_is_the_end(world: World, on_silence: str) -> None:
+async def test_a_lease_without_scheduled_writes_ends_at_its_time_out(world: World, on_silence: str) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
         lease = robot.armed(timeout=0.05, on_silence=on_silence)
@@ -203,7 +203,7 @@ async def test_an_end_with_nothing_scheduled_is_the_end(world: World, on_silence
 
 @on_both
 @on_simulated_time
-async def test_a_program_that_is_there_still_and_leaves_its_block_disarms(world: World) -> None:
+async def test_leaving_the_block_during_the_finish_disarms(world: World) -> None:
     async with unity_link.connect(world.gateway) as link:
         robot: Any = world.load(link)
 
@@ -231,7 +231,7 @@ async def test_a_program_that_is_there_still_and_leaves_its_block_disarms(world:
     ],
 )
 @on_simulated_time
-async def test_what_cannot_finish_is_refused_before_anything_is_sent(change: Any, says: str) -> None:
+async def test_an_impossible_on_silence_is_refused_before_a_request_is_sent(change: Any, says: str) -> None:
     spec = compile_text(SPEC.replace(*change) if change else SPEC)
     async with unity_link.connect(simulated(spec.interface())) as link:
         robot: Any = unity_link.load(spec)(link)
@@ -242,7 +242,7 @@ async def test_what_cannot_finish_is_refused_before_anything_is_sent(change: Any
 
 
 @on_simulated_time
-async def test_a_word_that_wants_to_finish_where_the_spec_has_no_finish_arms_nothing(tmp_path: Path) -> None:
+async def test_an_arm_word_with_finish_is_refused_if_the_spec_has_no_finish(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(SPEC.replace(", FINISH=0.3", ""))
     async with unity_link.connect(simulate(spec, clock_hz=HZ)) as link:
@@ -276,7 +276,7 @@ with blocking.connect(url) as link:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["kill", "hang"])
-def test_what_a_program_has_scheduled_runs_out_behind_a_server_when_it_was_killed(way: str, tmp_path: Path) -> None:
+def test_scheduled_writes_of_a_program_killed_behind_a_server_run_out(way: str, tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(SPEC.replace("TIMEOUT=0.1, FINISH=0.3", "TIMEOUT=1, FINISH=20"))
     command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]

@@ -1,4 +1,4 @@
-"""The gantry of the examples is where its path is, in each cycle, and stands when its e-stop is pressed."""
+"""The gantry of the examples follows its path in each cycle, and stops when its e-stop is pressed."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ ON = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark
 
 
 LOOK = 0.005
-"""Seconds between two looks at it."""
+"""Seconds between two observations."""
 STEPS = np.array([1 / 40, 1 / 40, 1 / 100])
-"""A step of each axis in mm."""
+"""A step of each axis, in mm."""
 
 
 def positions_of(robot: Any) -> list[float]:
-    """Return the positions of x, y and z in mm, by the steps that their drivers have got."""
+    """Return the positions of x, y and z in mm, computed from the steps that their drivers have received."""
     return [axis.position for axis in (robot.x, robot.y, robot.z)]
 
 
 def rests_of(positions: np.ndarray[Any, Any]) -> list[np.ndarray[Any, Any]]:
-    """Return where all axes stood for more than 0.1 s, the last ones of each time."""
+    """Return the positions at which all axes rested for more than 0.1 s, each as at the end of the rest."""
     stands = np.convolve((np.diff(positions, axis=0) == 0).all(axis=1), np.ones(20), "valid") == 20
     ends = np.flatnonzero(stands[:-1] & ~stands[1:])
     return [positions[end + 20] for end in ends]
@@ -39,7 +39,7 @@ def rests_of(positions: np.ndarray[Any, Any]) -> list[np.ndarray[Any, Any]]:
 @pytest.mark.slow
 @ON
 @on_simulated_time
-async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_flower_ends_its_program(
+async def test_the_gantry_draws_its_path_and_an_e_stop_ends_its_program(
     rtl: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program, plant = imported(FOLDER / "gantry.py"), imported(FOLDER / "plant.py")
@@ -55,7 +55,7 @@ async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_
             drawn.append((steps[-1], [motor.place for motor in robot.motors]))
     path = program.flower()
     assert capsys.readouterr().out == f"a flower of {path.shape[1]} places, each in its clock cycle\n"
-    # Where the path ends is where it has begun: its home.
+    # The path ends at its beginning: the home position.
     home, *_, back = rests_of(np.array(steps))
     assert (np.abs(back - home) <= STEPS).all()
     drawing = path[:2, path[2] == path[2].max()]
@@ -75,13 +75,13 @@ async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_
     rest = positions_of(robot), [motor.place for motor in robot.motors]
     await asyncio.sleep(0.2)
     assert (positions_of(robot), [motor.place for motor in robot.motors]) == rest
-    # From 80 mm/s, by 4000 mm/s2.
+    # It brakes from 80 mm/s by 4000 mm/s2.
     assert 0 < np.hypot(*(np.array(rest[0]) - before)[:2]) < 2
 
 
 @ON
 @on_simulated_time
-async def test_a_motor_that_is_asked_for_too_much_loses_steps(rtl: bool) -> None:
+async def test_a_motor_that_is_accelerated_too_fast_loses_steps(rtl: bool) -> None:
     program, plant = imported(FOLDER / "gantry.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "gantry.ul", plant.Gantry, rtl=rtl)
     robot: Any = gateway.robot
@@ -95,13 +95,13 @@ async def test_a_motor_that_is_asked_for_too_much_loses_steps(rtl: bool) -> None
             await own.x.maxaccel.set(0)
             await own.x.move_to(0)
             await lease.kick()
-            # The motor swings for longer than 0.2 s after it has lost its steps.
+            # The motor oscillates for more than 0.2 s after it has lost its steps.
             await asyncio.sleep(0.4)
             lost = (robot.motors[0].place - robot.x.position - plant.STARTS[0]) / plant.PITCH
             assert round(lost) != 0
             assert lost == pytest.approx(round(lost), abs=0.05)
 
 
-def test_it_is_short() -> None:
+def test_the_program_of_the_gantry_is_short() -> None:
     assert len((FOLDER / "gantry.ul").read_text().splitlines()) <= 40
     assert len((FOLDER / "gantry.py").read_text().splitlines()) <= 60

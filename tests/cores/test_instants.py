@@ -1,4 +1,4 @@
-"""Instants far from the gateway's clock, of which a schedule has 40 bits and a sample 32; and timelines that fail."""
+"""Instants far from the gateway's clock (a schedule has 40 bits of it, a sample 32), and timelines that fail."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ Robot = unity_link.load(SPEC)
 
 
 class Plant(SimulatedRobot):
-    """Keeps the values of the lamp, and the cycles in which they were written."""
+    """Records the values of the lamp, and the cycles in which they were written."""
 
     def start(self) -> None:
         self.seen: list[tuple[int, Value]] = []
@@ -53,7 +53,7 @@ def gateway_of() -> Any:
 
 
 async def seen_until(gateway: Any, seconds: float) -> list[tuple[int, Value]]:
-    """Let time pass, and return what was written to the lamp."""
+    """Let time pass, and return the writes to the lamp."""
     await asyncio.sleep(seconds)
     gateway.robot.pass_time(asyncio.get_running_loop().time())
     seen: list[tuple[int, Value]] = gateway.robot.seen
@@ -61,7 +61,7 @@ async def seen_until(gateway: Any, seconds: float) -> list[tuple[int, Value]]:
 
 
 EDGES = (-BEHIND, 0, AHEAD)
-"""Ticks from the clock at which another thing becomes of a write; it is known to less than a second here."""
+"""Ticks from the clock at which the outcome of a write changes; the clock is known to within a second here."""
 
 
 @given(
@@ -92,7 +92,7 @@ async def test_a_write_acts_at_its_instant_or_not_at_all(uptime: float, ahead: i
 
 
 @on_simulated_time
-async def test_an_instant_too_far_from_the_clock_is_named_with_its_distance() -> None:
+async def test_the_error_for_an_instant_too_far_from_the_clock_has_the_distance() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot: Any = Robot(link)
         await asyncio.sleep(6 * 3600)
@@ -118,7 +118,7 @@ async def test_an_instant_too_far_from_the_clock_is_named_with_its_distance() ->
 
 
 @on_simulated_time
-async def test_a_trajectory_with_a_pause_longer_than_the_schedule_counts_is_played() -> None:
+async def test_a_trajectory_with_a_pause_longer_than_the_clock_is_played() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
@@ -153,13 +153,13 @@ async def test_a_timeline_that_fails_to_start_leaves_its_schedule_free() -> None
                 await asyncio.sleep(0)
             starting.cancel()
             await asyncio.wait([starting])
-            # Cancelled writes end within cycles, and no time passes until a task waits.
+            # Cancelled writes end within cycles, and simulated time passes only while all tasks wait.
             await asyncio.sleep(0.001)
             await start()
 
 
 @on_simulated_time
-async def test_the_instant_of_a_sample_is_exact_however_old_the_sample_is() -> None:
+async def test_the_instant_of_an_old_sample_is_exact() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot: Any = Robot(link)
         clock = await robot.free.clock()
@@ -172,7 +172,7 @@ async def test_the_instant_of_a_sample_is_exact_however_old_the_sample_is() -> N
 
 
 @on_simulated_time
-async def test_a_sample_of_before_a_reset_has_no_instant_any_more() -> None:
+async def test_a_sample_from_before_a_reset_has_no_instant() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)

@@ -1,6 +1,6 @@
-"""Programs that move an output and are ended while they do, in every way: all is safe after the time-out, and stays so.
+"""Programs that end in every way while they move an output: all outputs become safe after the time-out, and stay so.
 
-The programs, the server between them and the gateway, and what signals do, are real; a second client looks on.
+The programs, the server between them and the gateway, and the signals that end them are real; a second client observes.
 """
 
 from __future__ import annotations
@@ -115,7 +115,7 @@ def program_in_c(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @contextlib.contextmanager
 def served(folder: Path, options: str = "") -> Iterator[tuple[str, str, Any]]:
-    """Serve a rover; give the URL, the path of the spec, and the rover for who looks on."""
+    """Serve a rover; yield its URL, the path of its spec, and a rover of the observing client."""
     spec = folder / "rover.ul"
     spec.write_text(SPEC)
     command = [PROGRAM, "serve", f"sim:{spec}{options}", "--unix", str(folder / "gateway")]
@@ -130,7 +130,7 @@ def served(folder: Path, options: str = "") -> Iterator[tuple[str, str, Any]]:
 
 @contextlib.contextmanager
 def moving(program: str, url: str, spec: str, seconds: float = 3) -> Iterator[subprocess.Popen[str]]:
-    """Run a program until it moves its output, by a lease of some seconds; it does not outlive the block."""
+    """Run a program until it moves its output, under a lease of some seconds; end the program with the block."""
     command = [sys.executable, "-c", program, url, spec, str(seconds)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
         try:
@@ -148,14 +148,14 @@ def reason(robot: Any) -> str:
 @pytest.mark.slow
 @pytest.mark.parametrize("face", FACES)
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "SIGINT"])
-def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp_path: Path) -> None:
+def test_a_program_that_is_terminated_leaves_its_output_safe(face: str, way: str, tmp_path: Path) -> None:
     with served(tmp_path) as (url, spec, robot), moving(FACES[face], url, spec) as program:
         assert robot.drive.armed_.get()
         assert robot.speed.get() > 0
         program.send_signal(signal.Signals[way])
         wait_until(lambda: not robot.drive.armed_.get())
         assert robot.speed.get() == 0
-        # The server disarms for a client that has gone; one that stands still is silent.
+        # The server disarms for a client that has disconnected; a stopped client is only silent.
         assert reason(robot) == ("silence" if way == "SIGSTOP" else "disarmed")
         if way == "SIGSTOP":
             program.send_signal(signal.SIGCONT)
@@ -170,7 +170,7 @@ def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "stopped"])
-def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_in_c: Path, tmp_path: Path) -> None:
+def test_a_program_in_c_that_is_terminated_leaves_its_output_safe(way: str, program_in_c: Path, tmp_path: Path) -> None:
     with (
         served(tmp_path) as (url, _, robot),
         subprocess.Popen(
@@ -190,7 +190,7 @@ def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_i
             wait_until(lambda: not robot.drive.armed_.get())
             assert robot.speed.get() == 0
             if way == "stopped":
-                # Its kick, or its write, is the first to meet it.
+                # The next kick or write of the program raises the error.
                 _, told = program.communicate(timeout=60)
                 assert "drive is not armed: it was disarmed" in told
         finally:
@@ -199,7 +199,7 @@ def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_i
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP"])
-def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path: Path) -> None:
+def test_writes_of_a_killed_program_that_wait_in_the_server_do_not_act(way: str, tmp_path: Path) -> None:
     with served(tmp_path, "?bytes_per_second=20000") as (url, spec, robot), moving(FLOOD, url, spec, 5) as program:
         program.send_signal(signal.Signals[way])
         wait_until(lambda: not robot.drive.armed_.get())
@@ -209,7 +209,7 @@ def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path
 
 
 @pytest.mark.slow
-def test_a_server_that_is_told_the_spec_disarms_for_a_program_that_was_killed(tmp_path: Path) -> None:
+def test_a_server_with_the_spec_disarms_for_a_killed_program(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(SPEC)
     board = [PROGRAM, "simulate", str(spec), "--unix", str(tmp_path / "board")]
@@ -229,7 +229,7 @@ def test_a_server_that_is_told_the_spec_disarms_for_a_program_that_was_killed(tm
             assert reason(robot) == "disarmed"
 
 
-def test_a_server_refuses_a_gateway_of_another_spec_than_it_was_told(tmp_path: Path) -> None:
+def test_a_server_refuses_a_gateway_of_another_spec_than_its_option(tmp_path: Path) -> None:
     spec, other = tmp_path / "rover.ul", tmp_path / "other.ul"
     spec.write_text(SPEC)
     other.write_text(SPEC.replace("0x10", "0x12"))
@@ -241,7 +241,7 @@ def test_a_server_refuses_a_gateway_of_another_spec_than_it_was_told(tmp_path: P
 
 
 @pytest.mark.slow
-def test_another_program_stops_it_at_once(tmp_path: Path) -> None:
+def test_another_program_can_stop_the_output_at_once(tmp_path: Path) -> None:
     with served(tmp_path) as (url, spec, robot), moving(FACES["asyncio"], url, spec, 20) as program:
         stopped = subprocess.run([PROGRAM, "stop", url, spec], capture_output=True, text=True, check=False)
         assert (stopped.returncode, stopped.stdout, stopped.stderr) == (0, "drive: disarmed\n", "")
@@ -254,7 +254,7 @@ def test_another_program_stops_it_at_once(tmp_path: Path) -> None:
         assert (again.returncode, again.stdout, again.stderr) == (0, "drive: was not armed\n", "")
 
 
-def test_where_the_server_goes_the_lease_runs_out_and_its_program_says_so(tmp_path: Path) -> None:
+def test_the_error_after_the_end_of_the_server_says_when_the_lease_ends(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(SPEC)
 
@@ -272,5 +272,5 @@ def test_where_the_server_goes_the_lease_runs_out_and_its_program_says_so(tmp_pa
         line_of(server)
         with pytest.raises(unity_link.LinkLostError) as lost:
             asyncio.run(lose())
-    # 98 % of TIMEOUT, which is the most that a lease asks for.
+    # 98 % of TIMEOUT is the longest time-out that a lease uses.
     assert "it runs out by itself, 19.6 s after the last kick" in lost.value.__notes__[0]

@@ -1,4 +1,4 @@
-"""Leases: a program moves what is guarded for as long as it kicks, and no longer; on simulated time."""
+"""Leases: a program moves guarded outputs as long as it kicks, and no longer; on simulated time."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def loaded(text: str) -> Any:
 
 
 class World:
-    """A rover behind a gateway, a program's link to it, and the bus as it is seen from outside."""
+    """A rover behind a gateway, a program's link to it, and a view of the rover that needs no request."""
 
     def __init__(self, text: str = TEXT) -> None:
         spec = compiled(text)
@@ -78,7 +78,7 @@ class World:
         return self.gateway.ticks_at(asyncio.get_running_loop().time())
 
     def seen(self, path: str) -> Any:
-        """Return the value of a signal now, without a request."""
+        """Return the present value of a signal, without a request."""
         robot = self.gateway.robot
         robot.pass_time(asyncio.get_running_loop().time())
         part: Any = robot
@@ -89,7 +89,7 @@ class World:
 
 @pytest.mark.parametrize("text", [TEXT, WIDE])
 @on_simulated_time
-async def test_a_loop_over_samples_keeps_the_lease_and_the_end_of_the_block_disarms(text: str) -> None:
+async def test_a_loop_over_samples_keeps_the_lease_until_the_end_of_the_block(text: str) -> None:
     world = World(text)
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -109,7 +109,7 @@ async def test_a_loop_over_samples_keeps_the_lease_and_the_end_of_the_block_disa
 
 
 @on_simulated_time
-async def test_kicks_from_samples_end_at_the_time_out_after_the_gateway_took_them() -> None:
+async def test_kicks_from_samples_last_one_time_out_from_their_timestamps() -> None:
     world = World()
     async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=20_000)) as link:
         robot = world.kind(link)
@@ -125,7 +125,7 @@ async def test_kicks_from_samples_end_at_the_time_out_after_the_gateway_took_the
 
 
 @on_simulated_time
-async def test_without_kicks_all_is_safe_at_the_end_and_each_signal_until_it_is_written_afresh() -> None:
+async def test_each_signal_is_safe_after_the_lease_until_it_is_written_again() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -150,7 +150,7 @@ async def test_without_kicks_all_is_safe_at_the_end_and_each_signal_until_it_is_
 
 
 @on_simulated_time
-async def test_half_a_value_that_was_written_before_a_lease_ended_is_in_none_behind_it() -> None:
+async def test_half_a_value_written_under_an_earlier_lease_is_discarded() -> None:
     world = World(TEXT.replace("  @lamp", "  @far = 0x30: unsigned 64 READWRITE(SAFE(3, drive));\n  @lamp"))
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -179,7 +179,7 @@ async def set_by_group(robot: Any) -> None:
 
 @pytest.mark.parametrize("write", [set_one, set_field, set_group, set_by_group])
 @on_simulated_time
-async def test_a_write_is_refused_and_not_stored_while_nothing_is_armed(write: Any) -> None:
+async def test_a_write_without_an_armed_lease_is_refused_and_not_stored(write: Any) -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -194,7 +194,7 @@ async def test_a_write_is_refused_and_not_stored_while_nothing_is_armed(write: A
 
 
 @on_simulated_time
-async def test_a_bus_error_of_an_armed_signal_stays_one() -> None:
+async def test_a_bus_error_of_an_armed_signal_is_reported_as_a_bus_error() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -206,7 +206,7 @@ async def test_a_bus_error_of_an_armed_signal_stays_one() -> None:
 
 
 @on_simulated_time
-async def test_an_e_stop_ends_the_block_and_refuses_to_be_armed_over() -> None:
+async def test_an_open_e_stop_ends_the_block_and_prevents_arming() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -235,7 +235,7 @@ async def test_an_e_stop_ends_the_block_and_refuses_to_be_armed_over() -> None:
 
 
 @on_simulated_time
-async def test_anyone_disarms_and_the_loop_of_the_owner_ends() -> None:
+async def test_any_program_can_disarm_which_ends_the_loop_of_the_owner() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -255,7 +255,7 @@ async def test_anyone_disarms_and_the_loop_of_the_owner_ends() -> None:
 
 
 @on_simulated_time
-async def test_a_lease_that_another_block_of_the_program_has_is_neither_taken_over_nor_disarmed() -> None:
+async def test_a_second_block_neither_takes_over_nor_disarms_the_lease() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -272,7 +272,7 @@ async def test_a_lease_that_another_block_of_the_program_has_is_neither_taken_ov
 
 
 @on_simulated_time
-async def test_a_lease_that_has_ended_leaves_that_of_the_next_program_alone() -> None:
+async def test_an_ended_lease_does_not_affect_the_lease_of_the_next_program() -> None:
     world = World()
 
     async def stand_still(robot: Any) -> None:
@@ -312,7 +312,7 @@ async def test_write_after_the_time_out_does_not_act_under_another_lease() -> No
 
 
 @on_simulated_time
-async def test_a_program_sees_that_another_one_has_armed_while_its_own_lease_had_not_run_out() -> None:
+async def test_the_error_of_a_lease_says_that_another_program_has_armed() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -337,7 +337,7 @@ async def test_a_program_sees_that_another_one_has_armed_while_its_own_lease_had
 
 @pytest.mark.parametrize("latest", [False, True])
 @on_simulated_time
-async def test_a_body_that_is_slower_than_the_samples_keeps_the_lease_where_it_takes_the_newest(latest: bool) -> None:
+async def test_a_loop_slower_than_its_samples_keeps_the_lease_with_latest(latest: bool) -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -362,7 +362,7 @@ async def test_a_body_that_is_slower_than_the_samples_keeps_the_lease_where_it_t
 
 
 @on_simulated_time
-async def test_a_clock_that_is_slower_than_was_thought_ends_no_lease_that_the_gateway_has_not_ended() -> None:
+async def test_a_gateway_clock_slower_than_stated_ends_no_lease_early() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -375,7 +375,7 @@ async def test_a_clock_that_is_slower_than_was_thought_ends_no_lease_that_the_ga
             assert world.seen("drive.armed")
 
 
-def test_an_estimate_that_a_reading_shows_to_be_ahead_is_given_up() -> None:
+def test_an_estimate_of_the_clock_is_corrected_by_a_later_reading() -> None:
     clock = TickBounds(1000)
     clock.read(0, 0.0, 0.0)
     assert clock.least(10.0) > 9900
@@ -384,7 +384,7 @@ def test_an_estimate_that_a_reading_shows_to_be_ahead_is_given_up() -> None:
 
 
 @on_simulated_time
-async def test_kicks_without_a_pause_are_held_up_by_the_line_and_do_not_pile_up() -> None:
+async def test_kicks_without_a_pause_wait_for_the_line_and_do_not_queue_up() -> None:
     world = World()
     async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=20_000)) as link:
         robot = world.kind(link)
@@ -396,7 +396,7 @@ async def test_kicks_without_a_pause_are_held_up_by_the_line_and_do_not_pile_up(
 
 @pytest.mark.parametrize("seconds", [0, -1, 0.1000001, float("nan"), float("inf"), "soon", None.__class__])
 @on_simulated_time
-async def test_a_wrong_time_out_is_refused_before_anything_is_sent(seconds: Any) -> None:
+async def test_a_wrong_time_out_is_refused_before_a_request_is_sent(seconds: Any) -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -407,7 +407,7 @@ async def test_a_wrong_time_out_is_refused_before_anything_is_sent(seconds: Any)
 
 
 @on_simulated_time
-async def test_of_several_leases_none_is_meant_by_itself() -> None:
+async def test_a_robot_with_several_leases_requires_the_name_of_one() -> None:
     world = World(TWO)
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -455,7 +455,7 @@ async def test_a_lease_is_used_in_its_block_and_once() -> None:
 
 
 @on_simulated_time
-async def test_a_signal_under_the_name_of_a_verb_has_an_underscore_and_its_path() -> None:
+async def test_a_signal_with_the_name_of_a_core_method_has_an_underscore() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -493,7 +493,7 @@ async def test_an_error_in_the_block_and_a_cancellation_disarm_at_once() -> None
 
 
 @on_simulated_time
-async def test_a_second_cancellation_leaves_a_lease_armed_to_its_time_out_at_most() -> None:
+async def test_a_second_cancellation_leaves_a_lease_armed_until_its_time_out() -> None:
     world = World()
     async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=20_000)) as link:
         robot = world.kind(link)
@@ -511,7 +511,7 @@ async def test_a_second_cancellation_leaves_a_lease_armed_to_its_time_out_at_mos
             task = asyncio.create_task(move(others))
             await moving.wait()
             task.cancel()
-            # The write that disarms waits behind the others.
+            # The write that disarms waits after the other requests.
             await asyncio.sleep(0)
             task.cancel()
             with pytest.raises(asyncio.CancelledError):
@@ -522,7 +522,7 @@ async def test_a_second_cancellation_leaves_a_lease_armed_to_its_time_out_at_mos
 
 
 @on_simulated_time
-async def test_where_the_link_is_lost_the_lease_runs_out_and_the_first_error_stays() -> None:
+async def test_the_first_error_is_raised_if_the_link_is_lost_under_a_lease() -> None:
     world = World()
 
     async def move() -> None:
@@ -542,7 +542,7 @@ async def test_where_the_link_is_lost_the_lease_runs_out_and_the_first_error_sta
 
 
 @on_simulated_time
-async def test_posted_writes_of_a_lease_that_ended_are_refused_at_the_fence() -> None:
+async def test_the_fence_raises_for_posted_writes_without_a_lease() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
@@ -550,7 +550,7 @@ async def test_posted_writes_of_a_lease_that_ended_are_refused_at_the_fence() ->
         never = "posted write of left.value at 0x010: the bus refused the access: drive is not armed: nobody has"
         with pytest.raises(NotArmedError, match=re.escape(never)) as refused:
             async with robot.armed():
-                pytest.fail("what was posted before comes before the lease")
+                pytest.fail("the block began before the error of the posted write was raised")
         assert refused.value.reason == "none_yet"
         assert not world.seen("drive.armed")
         await link.post(0x10, 3)
@@ -583,7 +583,7 @@ async def test_a_reset_disarms_and_ends_the_block() -> None:
 
 
 @on_simulated_time
-async def test_the_clock_is_read_again_and_kicks_go_on() -> None:
+async def test_kicks_continue_after_the_clock_is_read_again() -> None:
     world = World()
     async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=100_000)) as link:
         robot = world.kind(link)
@@ -594,7 +594,7 @@ async def test_the_clock_is_read_again_and_kicks_go_on() -> None:
             assert world.seen("drive.armed")
 
 
-# Stories
+# Random sequences of events
 
 END = st.integers(-5, 8_000_000)
 STEPS = st.one_of(
@@ -609,7 +609,7 @@ STEPS = st.one_of(
 
 
 class Contract:
-    """The rules of a lease in words: who owns it until when, and what is therefore at the output."""
+    """The rules of a lease: its owner, the end of its time, and the resulting value of the output."""
 
     def __init__(self) -> None:
         self.owner: int | None = None
@@ -626,7 +626,7 @@ class Contract:
         self.owner, self.output = None, 0
 
     def word(self, now: int, token: int, end: int, *, is_arm: bool) -> None:
-        # A word needs two cycles, in which an end can come.
+        # Writing a word takes two cycles, in which the lease may end.
         if self.owner is not None and now + 1 >= self.end:
             self.fall()
         may = token == self.owner or (is_arm and self.owner is None)
@@ -636,7 +636,7 @@ class Contract:
 
 
 class Story:
-    """A rover and the rules of its lease, driven side by side."""
+    """A rover and the rules of its lease; both process the same events."""
 
     def __init__(self) -> None:
         self.world, self.contract = World(), Contract()
@@ -687,7 +687,9 @@ class Story:
 @given(st.lists(STEPS, max_size=40))
 @settings(max_examples=examples(100))
 @on_simulated_time
-async def test_no_story_keeps_outputs_longer_than_the_last_kick_that_counted(steps: list[tuple[str, Any, Any]]) -> None:
+async def test_no_sequence_of_events_extends_a_lease_beyond_its_last_valid_kick(
+    steps: list[tuple[str, Any, Any]],
+) -> None:
     story = Story()
     for step in steps:
         await story.happen(*step)
@@ -703,7 +705,7 @@ async def test_no_story_keeps_outputs_longer_than_the_last_kick_that_counted(ste
 )
 @settings(max_examples=examples(60))
 @on_simulated_time
-async def test_a_program_that_stands_still_is_never_armed_beyond_its_time_out(
+async def test_a_stopped_program_is_never_armed_beyond_its_time_out(
     pauses: list[float], seconds: float, pace: float | None
 ) -> None:
     world = World()
@@ -718,7 +720,7 @@ async def test_a_program_that_stands_still_is_never_armed_beyond_its_time_out(
                 made = loop.time()
                 await lease.kick()
                 await asyncio.sleep(pause)
-                # Of what was made then, nothing lasts longer, however late it came.
+                # No kick that was made then lasts longer, however late it arrived.
                 assert not world.seen("drive.armed") or loop.time() < made + seconds
                 await robot.left.value.set(1)
 
@@ -728,14 +730,14 @@ async def test_a_program_that_stands_still_is_never_armed_beyond_its_time_out(
             await move(world.kind(link))
         except NotArmedError as error:
             reasons = {error.reason, world.seen("drive.reason")}
-        # Short pauses on a quick line end no lease.
+        # Short pauses on a quick line never end the lease.
         assert reasons <= {"none", "silence", "late", 0, 2}
         assert "none" in reasons or max(pauses) > seconds / 4 or pace == 20_000
         assert world.seen("left.value") == 0
 
 
 class Plant(SimulatedRobot):
-    """Has the motor move a position."""
+    """Moves a position by the motor's value."""
 
     def start(self) -> None:
         self.moved = 0.0
@@ -746,7 +748,7 @@ class Plant(SimulatedRobot):
 
 
 @on_simulated_time
-async def test_a_plant_sees_safe_values_from_the_step_of_the_end_on() -> None:
+async def test_a_plant_reads_safe_values_from_the_step_of_the_end_on() -> None:
     spec = compiled()
     gateway = simulated(spec.interface(), Plant)
     async with unity_link.connect(gateway) as link:
@@ -759,7 +761,7 @@ async def test_a_plant_sees_safe_values_from_the_step_of_the_end_on() -> None:
 
 
 @pytest.mark.slow
-def test_a_generated_module_with_a_lease_has_types_that_hold(tmp_path: Path) -> None:
+def test_a_generated_module_with_a_lease_passes_the_type_checker(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(
         "group state(RATE=100, TIMESTAMPS);\n"
@@ -786,14 +788,14 @@ async def main(link: Link) -> None:
     assert done.returncode == 0, done.stdout
 
 
-def test_what_a_generated_module_knows_of_a_core_is_what_the_spec_says() -> None:
+def test_a_generated_module_has_the_core_information_of_the_spec() -> None:
     interface = compiled().interface()
     read = read_interface(model_text(interface))
     assert [component.core for component in read.cores] == [component.core for component in interface.cores]
 
 
 @on_simulated_time
-async def test_a_program_that_looks_on_sees_each_change_of_a_lease_with_its_time() -> None:
+async def test_an_observing_program_receives_each_change_of_a_lease_with_its_time() -> None:
     text = TEXT.replace("LEASE(TIMEOUT=0.1)", "LEASE(TIMEOUT=0.1, GROUP=safety)").replace(
         "group bare", "group safety(RATE=200, ON_CHANGE, TIMESTAMPS);\ngroup bare"
     )

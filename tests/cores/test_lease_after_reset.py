@@ -1,4 +1,4 @@
-"""A lease is over for its program when its link, or the server's, begins another session."""
+"""A program's lease ends when its link, or the link of the server, opens another session."""
 
 from __future__ import annotations
 
@@ -54,36 +54,36 @@ public rover() {
 }
 """
 KNOWN = compile_text(TEXT)
-# A signal at the top leaves no room for a description: its server knows of no lease.
+# A signal at the top leaves no space for a description of the spec, so the server cannot find the lease.
 UNKNOWN = compile_text(TEXT.replace("  @lamp", "  @top = 0xFFF: READ();\n  @lamp"))
 SPECS = pytest.mark.parametrize("spec", [KNOWN, UNKNOWN], ids=["the server knows the lease", "the server does not"])
 
 
 class World:
-    """A rover behind a server, and the values that its registers have."""
+    """A rover behind a server, and the present values of its registers."""
 
     def __init__(self, spec: Spec) -> None:
         self.spec = spec
-        # A window of 128 requests, so that more of them wait.
+        # A window of 128 requests, so that more requests have to wait.
         self.gateway: Any = simulated(spec.interface(), None, Wanted(configuration={"id_digits": 2}))
         self.valve = Valve(self.gateway)
         self.shared = SharedLink(self.valve, lambda _: None)
         self.links: contextlib.AsyncExitStack
 
     async def another(self, reconnect: Reconnect | None = None) -> Any:
-        """Connect another program, and return its rover."""
+        """Connect another program; return its rover."""
         link = await self.links.enter_async_context(PipedLink(self.shared, reconnect=reconnect))
         return unity_link.load(self.spec)(link)
 
     async def interrupt(self) -> None:
-        """End the session of the server with the gateway, which is not reset."""
+        """End the server's session with the gateway, which is not reset."""
         self.valve.go_away(self.shared)
         await asyncio.sleep(0.01)
         self.valve.come_back()
         await until(lambda: self.shared.connected)
 
     def seen(self, path: str) -> Any:
-        """Return the value of a signal now, without a request."""
+        """Return the present value of a signal, without a request."""
         self.gateway.robot.pass_time(asyncio.get_running_loop().time())
         return self.gateway.robot.cells[path].value
 
@@ -103,7 +103,7 @@ async def world_of(spec: Spec) -> AsyncIterator[World]:
 
 
 MET = (GatewayResetError, BusTimeoutError)
-"""Errors of the first requests after a reset: a server does not know whether the request that met it was executed."""
+"""Errors of the first requests after a reset: the server cannot decide if the request in flight was executed."""
 
 
 async def kicked(lease: Any, times: int) -> None:
@@ -114,7 +114,7 @@ async def kicked(lease: Any, times: int) -> None:
 
 
 async def met(robot: Any) -> None:
-    """Have a program see that the gateway was reset, once in a test."""
+    """Make requests until the program has noticed the reset; works once in a test."""
     while not robot.link.resets:
         with contextlib.suppress(*MET):
             await robot.lamp.get()
@@ -125,7 +125,7 @@ async def met(robot: Any) -> None:
 
 @SPECS
 @on_simulated_time
-async def test_a_lease_of_before_a_reset_is_not_that_of_the_next_program(spec: Spec) -> None:
+async def test_a_lease_from_before_a_reset_is_not_the_lease_of_the_next_program(spec: Spec) -> None:
     async with world_of(spec) as world:
         first, second = await world.another(), await world.another()
         async with first.armed() as lease:
@@ -134,7 +134,7 @@ async def test_a_lease_of_before_a_reset_is_not_that_of_the_next_program(spec: S
             await met(second)
             async with second.armed() as other:
                 await second.speed.set(2)
-                # Both are the first lease since a reset.
+                # Both leases are the first since a reset.
                 assert world.seen("drive.arms") == 1
                 await met(first)
                 says = "drive has ended: the link has begun another session since it was armed"
@@ -161,7 +161,7 @@ async def test_the_end_of_a_block_leaves_the_lease_of_the_next_program(
         world.gateway.reset()
         await met(second)
         async with second.armed():
-            # The block ends before its program has seen the reset, and after.
+            # The block ends once before and once after its program has noticed the reset.
             for _ in range(2):
                 with contextlib.suppress(LinkLostError):
                     await lease.__aexit__(error, error and error(), None)
@@ -187,7 +187,9 @@ WRITES: dict[str, Callable[[Any], Coroutine[Any, Any, object]]] = {
 
 @pytest.mark.parametrize("write", WRITES.values(), ids=WRITES)
 @on_simulated_time
-async def test_no_way_to_write_gets_past_a_lease_that_is_over(write: Callable[[Any], Coroutine[Any, Any, Any]]) -> None:
+async def test_every_kind_of_write_is_refused_after_the_lease_has_ended(
+    write: Callable[[Any], Coroutine[Any, Any, Any]],
+) -> None:
     async with world_of(UNKNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed():
@@ -204,7 +206,7 @@ async def test_no_way_to_write_gets_past_a_lease_that_is_over(write: Callable[[A
 
 @pytest.mark.parametrize("way", ["post_many", "posts", "writes", "blocks"])
 @on_simulated_time
-async def test_writes_that_wait_when_the_gateway_is_reset_are_never_sent(way: str) -> None:
+async def test_writes_that_wait_during_a_reset_are_never_sent(way: str) -> None:
     async with world_of(UNKNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed():
@@ -238,7 +240,7 @@ async def test_writes_that_wait_when_the_gateway_is_reset_are_never_sent(way: st
 
 
 @on_simulated_time
-async def test_what_a_lease_does_not_guard_is_sent_in_the_next_session_as_before() -> None:
+async def test_unguarded_writes_are_sent_in_the_next_session() -> None:
     gateway = simulated(KNOWN.interface())
     valve = Valve(gateway)
     async with unity_link.connect(valve, reconnect=True) as link:
@@ -258,7 +260,7 @@ async def test_what_a_lease_does_not_guard_is_sent_in_the_next_session_as_before
 
 
 @on_simulated_time
-async def test_a_connection_that_is_opened_again_ends_the_lease_which_runs_out() -> None:
+async def test_a_reconnection_ends_the_lease_for_its_program() -> None:
     gateway: Any = simulated(KNOWN.interface())
     valve = Valve(gateway)
 
@@ -305,7 +307,7 @@ async def test_another_session_of_the_server_ends_the_leases_of_its_clients() ->
 
 
 @on_simulated_time
-async def test_another_session_of_the_server_lets_what_is_scheduled_run_out() -> None:
+async def test_scheduled_writes_run_out_in_another_session_of_the_server() -> None:
     async with world_of(KNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed(timeout=1, on_silence="finish") as lease:
@@ -333,10 +335,10 @@ async def test_another_session_of_the_server_lets_what_is_scheduled_run_out() ->
 
 @pytest.mark.parametrize("way", ["reset", "interrupted"])
 @on_simulated_time
-async def test_an_arm_that_waits_in_the_server_is_of_the_session_in_which_it_is_sent(way: str) -> None:
+async def test_an_arm_that_waits_in_the_server_is_of_the_session_that_sends_it(way: str) -> None:
     async with world_of(KNOWN) as world:
         first, *others = [await world.another() for _ in range(4)]
-        # The arm waits until the writes of the other clients are sent, which are more than the window takes.
+        # The arm waits until the writes of the other clients are sent, which fill more than the window.
         world.valve.requests_pass = False
         writing = [asyncio.create_task(other.link.write_many([0x20] * 400, range(400))) for other in others]
         await asyncio.sleep(0.001)
@@ -361,7 +363,7 @@ async def test_an_arm_that_waits_in_the_server_is_of_the_session_in_which_it_is_
 
 
 @on_simulated_time
-async def test_an_arm_that_is_cancelled_disarms_its_own_lease_and_no_other() -> None:
+async def test_a_cancelled_arm_disarms_only_its_own_lease() -> None:
     for taken in (False, True):
         for turns in range(0, 30, 3):
             async with world_of(UNKNOWN) as world:
@@ -380,7 +382,7 @@ async def test_an_arm_that_is_cancelled_disarms_its_own_lease_and_no_other() -> 
 
 
 @on_simulated_time
-async def test_an_arm_that_is_cancelled_leaves_a_lease_that_others_have_armed_since() -> None:
+async def test_a_cancelled_arm_leaves_a_lease_that_others_armed_since() -> None:
     for turns in range(30):
         async with world_of(UNKNOWN) as world:
             first = await world.another()
@@ -401,7 +403,7 @@ async def test_an_arm_that_is_cancelled_leaves_a_lease_that_others_have_armed_si
 
 
 @on_simulated_time
-async def test_a_program_that_arms_twice_reads_which_program_has_the_lease() -> None:
+async def test_a_program_whose_arm_was_repeated_reads_the_owner_of_the_lease() -> None:
     async with world_of(KNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed() as lease:
@@ -419,7 +421,7 @@ async def test_a_program_that_arms_twice_reads_which_program_has_the_lease() -> 
 
 
 @on_simulated_time
-async def test_other_clients_neither_write_to_the_schedule_of_a_lease_nor_cancel_it() -> None:
+async def test_other_clients_can_neither_write_nor_cancel_a_leased_schedule() -> None:
     async with world_of(KNOWN) as world:
         first, second = await world.another(), await world.another()
         async with first.armed():
@@ -442,7 +444,7 @@ async def test_other_clients_neither_write_to_the_schedule_of_a_lease_nor_cancel
 
 @pytest.mark.parametrize("name", ["plan", "free"])
 @on_simulated_time
-async def test_a_timeline_of_before_a_reset_cancels_nothing_of_the_next_program(name: str) -> None:
+async def test_a_timeline_from_before_a_reset_cancels_no_later_writes(name: str) -> None:
     signal = {"plan": "duty", "free": "signal"}[name]
     async with world_of(UNKNOWN) as world:
         first, second = await world.another(), await world.another()
@@ -469,7 +471,7 @@ async def test_a_timeline_of_before_a_reset_cancels_nothing_of_the_next_program(
 
 
 @on_simulated_time
-async def test_a_cancellation_that_waits_for_a_gateway_that_is_reset_is_never_sent() -> None:
+async def test_a_cancel_that_waits_during_a_reset_is_never_sent() -> None:
     gateway: Any = simulated(KNOWN.interface())
     valve = Valve(gateway)
     written: list[int] = []
@@ -504,7 +506,7 @@ async def test_a_cancellation_that_waits_for_a_gateway_that_is_reset_is_never_se
 
 
 @on_simulated_time
-async def test_a_clock_that_answers_late_in_a_new_session_was_not_reset() -> None:
+async def test_a_late_answer_of_the_clock_in_a_new_session_shows_no_reset() -> None:
     gateway: Any = simulated(KNOWN.interface())
     async with unity_link.connect(SlowLine(gateway, bytes_per_second=100_000), reconnect=True) as link:
         robot: Any = unity_link.load(KNOWN)(link)
@@ -513,7 +515,7 @@ async def test_a_clock_that_answers_late_in_a_new_session_was_not_reset() -> Non
         await link.fence()
         cut(link)
         await until(lambda: link.connected)
-        # The reading of the clock is answered after all of these.
+        # The reading of the clock is answered after all of these reads.
         reading = [asyncio.create_task(link.read_queue(0x20, 200)) for _ in range(40)]
         await asyncio.sleep(0)
         await robot.free.clock()
@@ -522,11 +524,11 @@ async def test_a_clock_that_answers_late_in_a_new_session_was_not_reset() -> Non
         assert await done == done.instant
 
 
-# Programs of each kind
+# Programs of each API
 
 
 async def story(connect: Callable[[str], Any], url: str, spec: Spec, reset: Callable[[], Any]) -> None:
-    """Have a lease be over by a reset, and another program arm."""
+    """Have a reset end a lease, and let another program arm."""
     async with connect(url) as one, connect(url) as other:
         first: Any = unity_link.load(spec)(one)
         second: Any = unity_link.load(spec)(other)
@@ -551,7 +553,7 @@ async def story(connect: Callable[[str], Any], url: str, spec: Spec, reset: Call
 
 
 def blocking_story(url: str, spec: Spec, reset: Callable[[], None]) -> None:
-    """Have the same happen to blocking programs."""
+    """Do the same with blocking programs."""
     kind = unity_link.load(spec)
     with blocking.connect(url) as one, blocking.connect(url) as other:
         first, second = put(kind, one), put(kind, other)
@@ -577,7 +579,7 @@ def blocking_story(url: str, spec: Spec, reset: Callable[[], None]) -> None:
 
 @contextlib.contextmanager
 def served(spec: Spec, folder: Path) -> Iterator[tuple[str, Callable[[], None]]]:
-    """Serve a rover in a thread of its own; yield its URL, and what resets it."""
+    """Serve a rover in a thread of its own; yield its URL and a function that resets it."""
     with start_blocking_portal() as portal:
         gateway = simulated(spec.interface())
         with portal.wrap_async_context_manager(serve(gateway, unix=folder / "socket")) as server:
@@ -586,7 +588,9 @@ def served(spec: Spec, folder: Path) -> Iterator[tuple[str, Callable[[], None]]]
 
 @SPECS
 @pytest.mark.parametrize("face", ["asyncio", "trio", "blocking"])
-def test_programs_of_each_kind_see_that_a_reset_has_ended_their_lease(face: str, spec: Spec, tmp_path: Path) -> None:
+def test_programs_of_each_api_get_an_error_after_a_reset_ended_their_lease(
+    face: str, spec: Spec, tmp_path: Path
+) -> None:
     with served(spec, tmp_path) as (url, reset):
 
         async def reset_in_thread() -> None:

@@ -1,4 +1,4 @@
-"""Leases of programs that share a link, and the bus as the gateway sees it."""
+"""Leases of programs that share a link, and the resulting accesses on the gateway's bus."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ DISARM = 0xF2
 
 
 class Watched:
-    """A rover, and the words that are written to it in the order of the bus."""
+    """A rover, and the words written to it in the order of the bus."""
 
     def __init__(self, spec: Spec = SPEC) -> None:
         self.gateway = simulated(spec.interface())
@@ -60,7 +60,7 @@ class Watched:
 
 @contextlib.asynccontextmanager
 async def shared(gateway: Any, folder: Path, count: int = 2, spec: Spec = SPEC) -> AsyncIterator[list[Any]]:
-    """Serve a gateway, and connect to it by several links; give their rovers."""
+    """Serve a gateway and connect several links to it; yield their rovers."""
     async with contextlib.AsyncExitStack() as stack:
         server = await stack.enter_async_context(serve(gateway, unix=folder / "gateway"))
         links = [await stack.enter_async_context(unity_link.connect(server.urls[0])) for _ in range(count)]
@@ -68,11 +68,11 @@ async def shared(gateway: Any, folder: Path, count: int = 2, spec: Spec = SPEC) 
 
 
 @pytest.mark.asyncio
-async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an_arm(tmp_path: Path) -> None:
-    # One that carries no description: the server knows of no lease.
+async def test_words_of_another_program_never_split_a_kick_or_an_arm(tmp_path: Path) -> None:
+    # This spec has no description in the gateway, so the server cannot find the lease.
     spec = compile_text(TEXT.replace("  @lamp", "  @last = 0xFFF: READ();\n  @lamp"))
     watched = Watched(spec)
-    # Both always have something that waits, so that turns end anywhere.
+    # Both programs always have waiting requests, so their turns end at arbitrary words.
     line = SlowLine(watched.gateway, bytes_per_second=100_000)
     async with shared(line, tmp_path, spec=spec) as (program, stranger):
         registers = [program.drive.arm.signal.addresses, program.drive.kick.signal.addresses]
@@ -80,7 +80,7 @@ async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an
         async def disturb() -> None:
             while True:
                 for addresses in registers:
-                    # All but the last one, with which a value is taken.
+                    # All addresses but the last one, whose write makes the core take the value.
                     await stranger.drive.arm.link.post_many(addresses[:-1], [STRANGE] * (len(addresses) - 1))
 
         disturbing = asyncio.create_task(disturb())
@@ -104,14 +104,14 @@ async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an
     assert strange > 100
 
 
-# Whose lease it is, where the server has the spec, or the gateway carries it
+# Ownership of a lease, if the server has the spec or the gateway has its description
 
 
 @contextlib.asynccontextmanager
 async def leased(
     gateway: Gateway | None = None, interface: Interface | None = INTERFACE
 ) -> AsyncIterator[tuple[SharedLink, Any]]:
-    """Share a rover by its spec; give the shared link, and a way to more rovers, each of a client of its own."""
+    """Share a rover by its spec; yield the shared link, and a function that connects a further client's rover."""
     shared = SharedLink(gateway or simulated(INTERFACE), lambda _: None, interface)
     shared.open_when_there()
     await until(lambda: not shared.away)
@@ -125,7 +125,7 @@ async def leased(
 
 
 def vanish(robot: Any) -> None:
-    """End the connection of a program, of which nothing more comes then."""
+    """Break the connection of a program."""
     client = robot.drive.arm.link.client
     assert client._transport is not None
     client._transport.abort()
@@ -133,7 +133,7 @@ def vanish(robot: Any) -> None:
 
 @pytest.mark.parametrize("interface", [INTERFACE, None], ids=["given", "carried by the gateway"])
 @on_simulated_time
-async def test_only_the_client_that_has_armed_moves_what_its_lease_guards(interface: Interface | None) -> None:
+async def test_only_the_client_that_has_armed_moves_guarded_signals(interface: Interface | None) -> None:
     async with leased(interface=interface) as (_, another):
         owner, other = await another(), await another()
         async with owner.armed() as lease:
@@ -147,7 +147,7 @@ async def test_only_the_client_that_has_armed_moves_what_its_lease_guards(interf
             assert (await other.speed.get(), await owner.lamp.get()) == (5, 3)
             assert await other.drive.stop()
             assert await owner.speed.get() == 0
-            # Nobody has it now, and the server leaves it to the gateway.
+            # The lease has no owner now, so the server leaves the refusal to the gateway.
             with pytest.raises(NotArmedError, match="drive is not armed: it was disarmed"):
                 await other.speed.set(7)
         async with other.armed():
@@ -179,7 +179,9 @@ async def fenced(link: Link, call: Awaitable[object]) -> None:
 
 @pytest.mark.parametrize("write", WRITES.values(), ids=WRITES)
 @on_simulated_time
-async def test_no_way_to_write_gets_past_another_clients_lease(write: Callable[[Link], Awaitable[object]]) -> None:
+async def test_every_kind_of_write_under_another_clients_lease_is_refused(
+    write: Callable[[Link], Awaitable[object]],
+) -> None:
     watched = Watched()
     async with leased(watched.gateway) as (_, another):
         owner, other = await another(), await another()
@@ -192,7 +194,7 @@ async def test_no_way_to_write_gets_past_another_clients_lease(write: Callable[[
 
 
 @on_simulated_time
-async def test_damaged_first_write_of_a_burst_keeps_the_client_of_a_leased_robot() -> None:
+async def test_a_damaged_first_write_of_a_burst_keeps_its_client() -> None:
     failures: list[Any] = []
     asyncio.get_running_loop().set_exception_handler(lambda _, context: failures.append(context))
     async with leased() as (shared, _):
@@ -210,7 +212,7 @@ async def test_damaged_first_write_of_a_burst_keeps_the_client_of_a_leased_robot
 
 
 @on_simulated_time
-async def test_a_description_that_cannot_be_read_is_told_and_the_gateway_served_without() -> None:
+async def test_a_gateway_with_an_unreadable_description_is_served_and_logged() -> None:
     told: list[str] = []
     gateway: Any = simulated(SPEC.interface())
     gateway.robot._registers._description = [1] * 32
@@ -223,7 +225,7 @@ async def test_a_description_that_cannot_be_read_is_told_and_the_gateway_served_
 
 
 @on_simulated_time
-async def test_a_client_that_goes_is_disarmed_and_what_it_had_asked_for_is_dropped() -> None:
+async def test_a_disconnected_client_is_disarmed_and_its_requests_dropped() -> None:
     watched = Watched()
     async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
         owner, other = await another(), await another()
@@ -246,7 +248,7 @@ async def test_a_client_that_goes_is_disarmed_and_what_it_had_asked_for_is_dropp
 
 
 @on_simulated_time
-async def test_a_client_that_goes_while_it_arms_leaves_nothing_armed() -> None:
+async def test_a_client_that_disconnects_while_it_arms_leaves_no_lease_armed() -> None:
     for moment in range(40):
         watched = Watched()
         async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
@@ -255,7 +257,7 @@ async def test_a_client_that_goes_while_it_arms_leaves_nothing_armed() -> None:
             arming = asyncio.create_task(owner.drive.arm.set(word))
             await asyncio.sleep(moment * 0.0005)
             vanish(owner)
-            # One that has ended well is told of at the next call.
+            # Even if the program has ended in order, the loss is reported to its next call.
             with pytest.raises(LinkLostError):
                 await fenced(owner.drive.arm.link, arming)
             await asyncio.sleep(0.1)
@@ -265,14 +267,14 @@ async def test_a_client_that_goes_while_it_arms_leaves_nothing_armed() -> None:
 
 
 @on_simulated_time
-async def test_writes_of_a_lease_that_has_ended_never_come_into_that_of_the_next_client() -> None:
+async def test_waiting_writes_of_an_ended_lease_never_act_under_the_next_one() -> None:
     watched = Watched()
     async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
         first, second, third = await another(), await another(), await another()
         link = first.drive.arm.link
         async with first.armed(timeout=0.05):
             pass
-        # Many writes of the former owner wait in the server, each behind a long answer, for it is not alone.
+        # Many writes of the former owner wait in the server, each after a long answer; other clients also wait.
         reading = [asyncio.create_task(third.lamp.link.read_queue(0x11, 200)) for _ in range(60)]
         requests = [request for _ in range(30) for request in (link.read_queue(0x11, 200), link.write(0x10, 9))]
         writing = [asyncio.create_task(request) for request in requests]
@@ -289,7 +291,7 @@ async def test_writes_of_a_lease_that_has_ended_never_come_into_that_of_the_next
 
 
 @on_simulated_time
-async def test_of_clients_that_arm_at_once_one_has_the_lease() -> None:
+async def test_one_of_several_clients_that_arm_at_once_gets_the_lease() -> None:
     async with leased() as (_, another):
         robots = [await another() for _ in range(5)]
         had: list[Any] = []
@@ -309,7 +311,7 @@ async def test_of_clients_that_arm_at_once_one_has_the_lease() -> None:
 
 
 @on_simulated_time
-async def test_a_client_that_is_away_with_the_gateway_is_disarmed_when_that_is_back() -> None:
+async def test_a_client_lost_with_the_gateway_is_disarmed_after_reconnection() -> None:
     watched = Watched()
     valve = Valve(watched.gateway)
     async with leased(valve) as (shared, another):
@@ -327,7 +329,7 @@ async def test_a_client_that_is_away_with_the_gateway_is_disarmed_when_that_is_b
 
 
 @on_simulated_time
-async def test_a_reset_of_the_gateway_forgets_whose_the_lease_was() -> None:
+async def test_a_reset_of_the_gateway_clears_the_owner_of_the_lease() -> None:
     watched = Watched()
     async with leased(watched.gateway) as (shared, another):
         owner, other = await another(), await another()

@@ -1,7 +1,7 @@
-"""Two programs, one lease and a gateway that is reset: no write acts under a lease that its program does not have.
+"""Two programs, one lease and a gateway that is reset: no write acts under a lease that its program does not hold.
 
-Both share the gateway through a server, on simulated time. The gateway itself judges: when a guarded value acts, the
-token in the lease is of one program, and the sign of the value says which program wrote it.
+Both programs share the gateway through a server, on simulated time. The gateway checks the result: when a guarded value
+acts, the token in the lease identifies one program, and the sign of the value identifies the program that wrote it.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ public rover() {
 """
 SPECS = {
     "the server knows the lease": compile_text(TEXT),
-    # A signal at the top leaves no room for a description.
+    # A signal at the top leaves no space for a description of the spec.
     "the server does not": compile_text(TEXT.replace("  @lamp", "  @top = 0xFFF: READ();\n  @lamp")),
 }
 GUARDED = {"speed", "half", "rest", "duty"}
@@ -56,7 +56,7 @@ _program: ContextVar[int] = ContextVar("program")
 
 
 class Plant(SimulatedRobot):
-    """Judges each guarded value that acts, by the token in the lease."""
+    """Compares the program of each guarded value that acts with the token in the lease."""
 
     def start(self) -> None:
         self.world: World | None = None
@@ -70,16 +70,16 @@ class Plant(SimulatedRobot):
 
 
 class Program:
-    """One program: its link, and what it does with the lease."""
+    """One program: its link, and its use of the lease."""
 
     def __init__(self, world: World, sign: int) -> None:
         self.world = world
         self.sign = sign
         self.values = itertools.count(1)
         self.within: Any = None
-        """Lease of the block that it is in."""
+        """Lease of the block that the program is in."""
         self.began = 0
-        """Interruptions of the server's link when that block began."""
+        """Number of interruptions of the server's link when that block began."""
 
     def value(self) -> int:
         return self.sign * (next(self.values) % 30_000 + 1)
@@ -88,13 +88,13 @@ class Program:
         _program.set(self.sign)
         world, pick = self.world, self.world.random
         while not world.is_over():
-            # The end of the block raises what is left of posted writes.
+            # The end of the block raises the remaining errors of posted writes.
             with contextlib.suppress(UnityLinkError):
                 async with PipedLink(world.shared, reconnect=pick.choice([None, Reconnect(first_pause=0.001)])) as link:
                     self.robot: Any = unity_link.load(world.spec)(link)
                     while not world.is_over():
                         doing = asyncio.create_task(self.drive())
-                        # Sometimes the program is interrupted: wherever it is.
+                        # Sometimes the program is interrupted at an arbitrary point.
                         await asyncio.wait([doing], timeout=pick.choice([None, None, pick.random() * 0.05]))
                         doing.cancel()
                         await asyncio.wait([doing])
@@ -118,7 +118,7 @@ class Program:
                 finally:
                     self.within = None
         except UnityLinkError:
-            # A server that knows the lease refuses writes of programs without it.
+            # A server that finds the lease refuses writes of programs without it.
             if world.knows_lease:
                 with contextlib.suppress(UnityLinkError):
                     await robot.speed.set(self.value())
@@ -133,7 +133,7 @@ class Program:
         elif way == 1:
             await robot.speed.post(self.value())
         elif way == 2:
-            # More than the window takes: a part of them waits when the gateway is reset.
+            # More writes than the window holds: some of them wait when the gateway is reset.
             await robot.link.post_many([0x10] * 200, [self.value() & 0xFFFFFFFF for _ in range(200)])
         elif way == 3:
             await Group(robot.speed, robot.half).set([self.value(), self.value()])
@@ -154,7 +154,7 @@ class Program:
 
 
 class World:
-    """A gateway, a server, and two programs, driven by chance."""
+    """A gateway, a server and two programs, driven by a random source."""
 
     def __init__(self, name: str, seed: str, operations: int) -> None:
         self.spec = SPECS[name]
@@ -162,8 +162,8 @@ class World:
         self.random = random.Random(seed)
         self.left = operations
         self.pause = self.random.choice([0.002, 0.005, 0.02])
-        """Seconds between two disturbances on average."""
-        # To a gateway, two programs that arm at the same instant are one, unless the server tells them apart.
+        """Average seconds between two disturbances."""
+        # Two programs that arm at the same instant are one program to a gateway, unless the server distinguishes them.
         self.arming = asyncio.Semaphore(len(PROGRAMS) if self.knows_lease else 1)
         self.acted = self.resets = 0
         self.wrong: list[str] = []
@@ -177,7 +177,7 @@ class World:
         return self.left <= 0
 
     def token(self, bits: int) -> int:
-        """Return the token for the program that arms."""
+        """Return a token for the program that arms."""
         token = self.random.getrandbits(bits)
         self.programs[token] = _program.get()
         return token
@@ -195,7 +195,7 @@ class World:
             self.wrong.append(f"{path} = {value} acted under the lease of {self.holder}")
 
     def judge_disarm(self) -> None:
-        # This is called before the lease takes the write. A server disarms leases of a session that is over.
+        # This is called before the lease takes the write. A server disarms leases of an ended session.
         holder = self.holder
         program = None if holder is None else self.two[holder]
         if program is None or program.within is None or program.began != self.shared.interruptions:
@@ -205,14 +205,14 @@ class World:
             self.wrong.append(f"the lease of {holder} was disarmed in its block")
 
     async def disturb(self) -> None:
-        """Reset the gateway, or cut the line to it, now and then."""
+        """Reset the gateway, or interrupt the line to it, at random times."""
         while not self.is_over():
             await asyncio.sleep(self.random.expovariate(1 / self.pause))
             if self.random.random() < 0.8:
                 self.count()
                 self.resets += 1
                 self.gateway.reset()
-            # Between two connections there is no line to cut.
+            # There is no line to interrupt between two connections.
             elif self.shared._flow.stream is not None:
                 self.valve.go_away(self.shared)
                 await asyncio.sleep(self.random.random() * 0.02)
@@ -240,7 +240,7 @@ class World:
 
 
 def drive(name: str, seed: int, operations: int, monkeypatch: pytest.MonkeyPatch) -> tuple[int, int]:
-    """Run worlds of some hundred operations each; return how many writes have acted, and the resets."""
+    """Run worlds of some hundred operations each; return the number of writes that acted, and of resets."""
     acted = resets = 0
     for start in range(0, operations, LONGEST_WORLD):
         world = World(name, f"{seed} {start}", min(LONGEST_WORLD, operations - start))
@@ -263,7 +263,7 @@ def test_no_write_acts_under_a_lease_of_the_other_program(
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SPECS)
-def test_ten_thousand_resets_arms_and_writes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_ten_thousand_resets_arms_and_writes_respect_the_lease(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     acted, resets = drive(name, 0, OPERATIONS, monkeypatch)
     assert acted > 2000
     assert resets > 500

@@ -1,4 +1,4 @@
-"""Parameters that a core cannot have are refused by `check`, with name, value and range, before GHDL runs."""
+"""`check` refuses parameters that a core cannot have, with name, value and range, before GHDL runs."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ CLOCKS = st.sampled_from([10_000_000, 12_000_000, 48_000_000, 50_000_000, 60_000
 
 
 def around(*edges: int, low: int = -2) -> st.SearchStrategy[int]:
-    """Draw whole numbers about edges, and others."""
+    """Draw integers near the edges of ranges, and others."""
     near = st.sampled_from(edges).flatmap(lambda edge: st.integers(edge - 2, edge + 2))
     return st.one_of(near, st.integers(low, 1 << 31), st.integers(low, 5000))
 
 
 class Parameter(NamedTuple):
-    """A parameter of a core, and the generic that it is."""
+    """A core parameter and the VHDL generic that it sets, as `factor` times its value."""
 
     generic: str
     values: st.SearchStrategy[Any]
@@ -64,11 +64,11 @@ CORES: dict[str, dict[str, Parameter]] = {
         "REVERSE": TRUTHS._replace(generic="reverse"),
     },
 }
-"""The parameters that entities limit."""
+"""The parameters that the entities limit."""
 
 
 def written(value: object) -> str:
-    """Write a value as a spec does."""
+    """Return a value as it is written in a spec."""
     return f'"{value}"' if isinstance(value, str) else str(value).lower()
 
 
@@ -87,7 +87,7 @@ def made(folder: Path, entity: str) -> Path:
 
 
 def ghdl(folder: Path, command: str, *arguments: str, check: bool = False) -> bool:
-    """Run GHDL; return whether it was content."""
+    """Run GHDL; return true if it succeeded."""
     words = ["ghdl", command, "--std=08", "--work=unity_link", "--workdir=.", *arguments]
     return subprocess.run(words, cwd=folder, check=check, capture_output=True).returncode == 0
 
@@ -95,7 +95,9 @@ def ghdl(folder: Path, command: str, *arguments: str, check: bool = False) -> bo
 @pytest.mark.slow
 @pytest.mark.rtl
 @pytest.mark.parametrize("word", CORES)
-def test_check_accepts_what_the_entity_accepts(word: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+def test_check_accepts_the_parameters_that_the_entity_accepts(
+    word: str, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     folder = tmp_path_factory.mktemp("ghdl")
     entity, known = f"ul_{word.lower()}", CORES[word]
 
@@ -146,7 +148,7 @@ def test_check_accepts_what_the_entity_accepts(word: str, tmp_path_factory: pyte
         ),
     ],
 )
-def test_one_sentence_says_what_is_expected_where_the_parameter_is_given(placement: str, message: str) -> None:
+def test_the_error_at_a_parameter_says_in_one_sentence_what_is_expected(placement: str, message: str) -> None:
     try:
         interface_of(placement)
         told = []
@@ -217,7 +219,7 @@ def test_each_of_several_wrong_parameters_is_reported(core: str, name: str, last
     steps=st.sampled_from([1, 7, 40, 800]),
     times=st.tuples(st.integers(0, 40_000), st.integers(0, 40_000)),
 )
-def test_the_largest_maxvel_is_what_the_axes_of_an_instance_can_go(
+def test_the_largest_maxvel_is_the_speed_that_the_axes_can_reach(
     clock_hz: int, axes: int, steps: int, times: tuple[int, int]
 ) -> None:
     length, space = times
@@ -226,7 +228,7 @@ def test_the_largest_maxvel_is_what_the_axes_of_an_instance_can_go(
 
     def check(maxvel: float) -> None:
         given = f"STEPS={steps}, STEPLEN={length}, STEPSPACE={space}"
-        # Another direction is another instance, whose axes do not count.
+        # Axes with another direction are in another instance and do not count.
         others = f"y[3]: STEPGEN({given}, MAXVEL=0, REVERSE=true) @(0x800 + 8 * i);"
         interface_of(
             f"GATEWAY(ADDRESS_BITS=16, CLOCK={clock_hz});",
@@ -240,7 +242,7 @@ def test_the_largest_maxvel_is_what_the_axes_of_an_instance_can_go(
     assert error.message.endswith(f"Hz with {axes} {'axis' if axes == 1 else 'axes'} in one instance")
 
 
-def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_path: Path) -> None:
+def test_build_reports_a_board_with_another_clock_before_any_tool_runs(tmp_path: Path) -> None:
     spec = compile_text("public robot() { GATEWAY(CLOCK=10000000); x: LEASE(TIMEOUT=60) @(0); }")
     board = load_board("ulx3s")[1]
     most = (1 << 30) / board.core_hz
@@ -249,7 +251,7 @@ def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_pa
         build(spec, "ulx3s", board, tmp_path)
 
 
-def test_a_spec_whose_open_parameters_are_given_is_checked_for_a_clock_as_before() -> None:
+def test_a_spec_with_given_parameters_is_checked_for_a_clock() -> None:
     members = "GATEWAY(CLOCK=10000000); TOSNET(CTRL=ctrl, COMM=9, BASE=0); x: LEASE(TIMEOUT=60) @(0xE0);"
     spec = compile_text(f"public robot(ctrl) {{ {members} }}")
     chosen = spec.given({"ctrl": 8}).interface()
@@ -269,20 +271,20 @@ def test_a_spec_whose_open_parameters_are_given_is_checked_for_a_clock_as_before
         ('RANGE(WIDTH, "a", 2);', "RANGE takes two numbers after the parameter"),
     ],
 )
-def test_a_limit_that_is_none_is_told(limit: str, message: str) -> None:
+def test_an_invalid_limit_is_reported(limit: str, message: str) -> None:
     outside = f'own(WIDTH=8): @(BASE) {{ {limit} ENTITY("own", width=WIDTH); @a = BASE: READ(); }}'
     with pytest.raises(SpecError) as caught:
         interface_of("x: own() @(1);", outside=outside)
     assert [one.message for one in caught.value.diagnostics] == [message]
 
 
-def test_a_limit_of_axes_in_a_component_that_nothing_uses_is_read() -> None:
+def test_a_limit_of_axes_in_an_unused_component_is_accepted() -> None:
     interface_of(
         "@b = 1: READ();", outside='own(W=8): @(B) { RANGE(W, 1, AXES); ENTITY("own", width=W); @a = B: READ(); }'
     )
 
 
-def test_a_limit_of_one_component_says_nothing_of_another() -> None:
+def test_a_limit_of_one_component_does_not_apply_to_another() -> None:
     outside = 'own(WIDTH=8): @(BASE) { RANGE(WIDTH, 1, none); ENTITY("own", width=WIDTH); @a = BASE: READ(); }'
     interface_of("x: own(1000) @(1);", outside=outside)
     with pytest.raises(SpecError, match="x: WIDTH is 0, expected at least 1"):

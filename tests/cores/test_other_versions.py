@@ -1,4 +1,4 @@
-"""Boards whose cores have another map than those of this version: their registers work, and their API is refused."""
+"""Boards whose cores have another map than in this version: their registers work, and their core API is refused."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ OTHERS = {
         "drive has no registers, so it is no core as this version of Unity-Link has it",
     ),
 }
-"""Maps of LEASE that differ from ours, and what is said of each."""
+"""Maps of LEASE that differ from ours, and the error for each."""
 ROBOT = """
 public rover() {
   GATEWAY(ADDRESS_BITS=12);

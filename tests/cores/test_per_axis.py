@@ -1,4 +1,4 @@
-"""Generics per axis: placements with other values share one instance, which has them as a list."""
+"""Generics per axis: placements with different values share one instance, which has the values as a list."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ public robot() {
 
 @pytest.fixture
 def spec(tmp_path: Path) -> Path:
-    """Return a spec with a core beside it."""
+    """Return a spec with a core in the folder beside it."""
     folder = tmp_path / "cores" / "shift"
     folder.mkdir(parents=True)
     (folder / "shift.ul").write_text(MAP)
@@ -71,7 +71,7 @@ def spec(tmp_path: Path) -> Path:
     return tmp_path / "robot.ul"
 
 
-def test_placements_that_differ_in_it_alone_are_one_instance(spec: Path) -> None:
+def test_placements_that_differ_only_in_a_generic_per_axis_share_an_instance(spec: Path) -> None:
     instances = Bank(compile_file(spec).interface()).wiring.instances
     assert [(one.paths, dict(one.generics)["by"], dict(one.generics)["step"]) for one in instances] == [
         ("alone", "(0 => 1)", "3"),
@@ -80,7 +80,7 @@ def test_placements_that_differ_in_it_alone_are_one_instance(spec: Path) -> None
 
 
 @pytest.mark.rtl
-def test_each_axis_has_its_own_value(spec: Path) -> None:
+def test_each_axis_has_its_own_value_of_a_generic_per_axis(spec: Path) -> None:
     async def use() -> None:
         robot_type: Any = unity_link.load(spec)
         async with unity_link.connect(f"rtl:{spec}") as link:
@@ -103,7 +103,7 @@ def test_each_axis_has_its_own_value(spec: Path) -> None:
         ("a = " + "[" * 100_000, "", r"core\.toml is nested too deeply"),
     ],
 )
-def test_a_generic_that_cannot_be_a_list_is_told(text: str, placed: str, message: str, spec: Path) -> None:
+def test_a_generic_that_cannot_be_a_list_is_reported(text: str, placed: str, message: str, spec: Path) -> None:
     (spec.parent / "cores" / "shift" / "core.toml").write_text(text)
     spec.write_text(f"public robot() {{ x: SHIFT({placed}) @(1); }}")
     with pytest.raises(SpecError, match=message):

@@ -1,4 +1,4 @@
-"""Quick models of the installed cores: what follows from what a plant sets, as the entities have it."""
+"""Quick models of the installed cores: registers follow the values that a plant sets, as in the entities."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ HZ = 50_000_000
 
 
 class Plant(SimulatedRobot):
-    """Turns a wheel and presses a button as a test says."""
+    """Turns a wheel and presses a button as a test requests."""
 
     speed = 0.0
     pressed = 0
@@ -44,7 +44,7 @@ class Plant(SimulatedRobot):
 
 
 class Unmoved(SimulatedRobot):
-    """Does nothing by itself."""
+    """A robot without motion."""
 
     def step(self, dt: float) -> None:
         pass
@@ -58,7 +58,7 @@ async def test_velocity_and_index_follow_the_position_that_a_plant_sets() -> Non
         wheel: Any = unity_link.load(SPEC)(link).wheel
         plant.speed = 2.5
         for _ in range(50):
-            # Looks between two steps of the plant change nothing.
+            # Reads between two steps of the plant have no effect.
             await asyncio.sleep(0.0203)
             assert await wheel.velocity.get() == pytest.approx(2.5, rel=0.01)
         assert await wheel.index_count.get() == 2
@@ -75,7 +75,7 @@ async def test_velocity_and_index_follow_the_position_that_a_plant_sets() -> Non
 
 
 @on_simulated_time
-async def test_edges_of_a_pin_are_counted_have_their_instant_and_fire_their_trigger() -> None:
+async def test_edges_of_a_pin_are_counted_and_timed_and_fire_their_trigger() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     plant: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
@@ -118,7 +118,7 @@ public robot() {
 
 
 @on_simulated_time
-async def test_pins_that_are_none_are_inputs_of_0_and_no_plant_sets_them() -> None:
+async def test_unused_pins_are_inputs_of_0_and_cannot_be_set_by_a_plant() -> None:
     gateway = simulated(BARE.interface(), Unmoved)
     plant: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
@@ -138,7 +138,7 @@ async def test_pins_that_are_none_are_inputs_of_0_and_no_plant_sets_them() -> No
 
 
 @on_simulated_time
-async def test_a_wheel_beyond_the_range_of_its_register_goes_round() -> None:
+async def test_the_position_register_of_a_wheel_wraps_around() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     plant: Any = gateway.robot
     plant.wheel.position = 2_147_480.0
@@ -147,7 +147,7 @@ async def test_a_wheel_beyond_the_range_of_its_register_goes_round() -> None:
         robot: Any = unity_link.load(SPEC)(link)
         await asyncio.sleep(2)
         assert plant.wheel.position == pytest.approx(2_155_480, abs=10)
-        # The registers themselves: 2 ** 32 counts less.
+        # The registers themselves have wrapped by 2 ** 32 counts.
         position, _, index = await link.read_block(0x20, 3)
         assert int(position) == round(plant.wheel.position * 1000) % (1 << 32)
         assert int(index) == int(plant.wheel.position + 1e-6) * 1000 % (1 << 32)
@@ -156,7 +156,7 @@ async def test_a_wheel_beyond_the_range_of_its_register_goes_round() -> None:
 
 
 @on_simulated_time
-async def test_the_time_of_an_edge_goes_round_with_32_bits_of_the_clock() -> None:
+async def test_the_time_of_an_edge_wraps_with_32_bits_of_the_clock() -> None:
     class Slow(Unmoved):
         step_seconds = 10
 
@@ -191,7 +191,7 @@ STEPS = st.one_of(
 
 
 @given(st.lists(st.tuples(st.integers(0, 30), st.lists(STEPS, max_size=4)), max_size=30))
-def test_words_of_one_instant_do_what_they_do_where_time_is_looked_at_between_them(
+def test_words_of_one_instant_have_the_same_effect_if_time_is_read_between(
     story: list[tuple[int, list[tuple[str, int]]]],
 ) -> None:
     def tell(*, looks: bool) -> list[Any]:

@@ -1,4 +1,4 @@
-"""Quick models and the compiled gateware have the same registers after the same motion of encoders and pins."""
+"""Quick models and the compiled gateware have equal registers after equal motions of encoders and pins."""
 
 from __future__ import annotations
 
@@ -47,16 +47,16 @@ SPACE = 8
 
 
 class Turning(SimulatedRobot):
-    """Turns as a test says."""
+    """Turns as a test requests."""
 
     step_seconds: ClassVar[float | None] = None
 
     def step(self, dt: float) -> None:
-        """Be moved by the test."""
+        """Do nothing: the test moves the robot."""
 
 
 class Both:
-    """A quick robot and the compiled one of a spec, which turn together."""
+    """The quick and the compiled robot of a spec, which move together."""
 
     def __init__(self, path: Any) -> None:
         self.robot_class = unity_link.load(compile_file(path))
@@ -65,7 +65,7 @@ class Both:
         self.count = self.pressed = 0
 
     def begin(self) -> None:
-        """Reset both, with all pins low."""
+        """Reset both robots, with all pins low."""
         self.turn(-self.count)
         self.press(self.pressed % 2)
         for gateway in (self.compiled, self.quick):
@@ -73,7 +73,7 @@ class Both:
         self.quick.robot.pass_time(0.0)
 
     def turn(self, counts: int) -> None:
-        """Turn all encoders, count by count at the pins of the compiled one."""
+        """Turn all encoders; the compiled robot gets each count at its pins."""
         bare: Any = self.compiled._gateway
         way = 1 if counts > 0 else -1
         for _ in range(abs(counts)):
@@ -105,7 +105,7 @@ class Both:
             button.button.pin = self.pressed % 2
 
     async def registers(self, compiled: bool) -> dict[str, Any]:
-        """Read the registers of one of both."""
+        """Read the registers of one of the robots."""
         async with unity_link.connect(self.compiled if compiled else self.quick) as link:
             robot: Any = self.robot_class(link)
             await asyncio.sleep(0.01)
@@ -119,7 +119,7 @@ class Both:
             return {path: values[path] for path in paths}
 
     def check(self) -> None:
-        """Compare the registers of both."""
+        """Assert that the registers of both robots are equal."""
         quick, compiled = (run_simulated(self.registers(compiled)) for compiled in (False, True))
         assert quick == compiled
 
@@ -133,18 +133,18 @@ def both(tmp_path_factory: pytest.TempPathFactory) -> Both:
 
 @settings(max_examples=examples(15), deadline=None)
 @given(legs=st.lists(st.one_of(st.integers(-20, 20), st.sampled_from([TURN, -TURN, 1, -1])), max_size=6))
-def test_counts_and_indexes_are_those_of_the_pins_that_there_are(both: Both, legs: list[int]) -> None:
+def test_counts_and_indexes_are_those_of_the_existing_pins(both: Both, legs: list[int]) -> None:
     both.begin()
     for counts in legs:
         both.turn(counts)
         both.check()
 
 
-def test_edges_of_a_pin_and_indexes_go_round_at_16_bits(both: Both) -> None:
+def test_counts_of_edges_and_indexes_wrap_at_16_bits(both: Both) -> None:
     both.begin()
     bare: Any = both.compiled._gateway
     number, space = (1 << 16) + 3, 4
-    # The robot begins at the index.
+    # The robot begins at the index, so clear the index pin.
     both.compiled.ports["index_alone_z"].drive(0)
     bare.run(SPACE)
     for place in range(number):

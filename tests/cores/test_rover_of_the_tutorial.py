@@ -1,4 +1,4 @@
-"""The tutorial's rover stands still however its program ends: the files of the page, as its reader has them."""
+"""The tutorial's rover stops however its program ends; the test uses the files of the page."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ PAGE = Path(__file__).parents[2] / "docs" / "tutorials" / "rover.md"
 
 
 @pytest.mark.parametrize("way", ["SIGINT", "SIGTERM", "SIGKILL", "SIGSTOP"])
-def test_its_wheels_have_no_duty_when_its_program_has_ended(way: str, tmp_path: Path) -> None:
+def test_the_wheels_have_no_duty_after_the_program_has_ended(way: str, tmp_path: Path) -> None:
     for name, text in files_of(PAGE).items():
         (tmp_path / name).write_text(text)
-    # Still far away when it is ended.
+    # Let the program run for longer than the test.
     program = (tmp_path / "drive.py").read_text()
     assert "drive(rover, 1)" in program
     (tmp_path / "drive.py").write_text(program.replace("drive(rover, 1)", "drive(rover, 1000)"))

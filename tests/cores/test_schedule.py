@@ -1,4 +1,4 @@
-"""Writes at instants, from a program through a link: each in its cycle, or an error says so."""
+"""Writes at instants, from a program through a link: each acts in its cycle, or an error reports it."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ HZ = 50_000_000
 
 
 class Plant(SimulatedRobot):
-    """Keeps what is written, and in which cycle."""
+    """Records the written values and the cycles in which they act."""
 
     def start(self) -> None:
         self.seen: list[tuple[int, str, Value]] = []
@@ -78,7 +78,7 @@ async def test_a_signal_is_written_in_the_cycle_of_its_instant() -> None:
 
 
 @on_simulated_time
-async def test_a_write_that_comes_too_late_does_not_act_and_raises() -> None:
+async def test_a_late_write_does_not_act_and_raises() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -87,7 +87,7 @@ async def test_a_write_that_comes_too_late_does_not_act_and_raises() -> None:
         with pytest.raises(LateError, match=r"free has not made the write at .* s of the gateway's clock: it came too"):
             await late
         assert await robot.lamp.get() == 0
-        # The error of a write that is not awaited is raised by the next one.
+        # The error of a write that is not awaited is raised by the next write.
         await robot.lamp.set(30, at=clock.now())
         good = await robot.lamp.set(31, at=clock.now().after(0.02))
         assert await good == good.instant
@@ -97,7 +97,7 @@ async def test_a_write_that_comes_too_late_does_not_act_and_raises() -> None:
 
 
 @on_simulated_time
-async def test_what_is_wrong_is_said_before_anything_is_sent() -> None:
+async def test_wrong_arguments_raise_before_a_request_is_sent() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -133,7 +133,7 @@ async def test_what_is_wrong_is_said_before_anything_is_sent() -> None:
 
 
 @on_simulated_time
-async def test_a_timeline_waits_for_room_and_counts_what_has_acted() -> None:
+async def test_a_timeline_waits_for_space_and_counts_the_writes_that_acted() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -150,7 +150,7 @@ async def test_a_timeline_waits_for_room_and_counts_what_has_acted() -> None:
 
 
 @on_simulated_time
-async def test_an_error_in_the_block_cancels_what_has_not_acted() -> None:
+async def test_an_error_in_the_block_cancels_the_scheduled_writes() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -167,14 +167,14 @@ async def test_an_error_in_the_block_cancels_what_has_not_acted() -> None:
             await feed()
         await asyncio.sleep(0.2)
         assert [value for _, value in gateway.robot.of("lamp")] == [0, 1, 2, 3, 4]
-        # The next one is no worse for it.
+        # The error does not affect the next timeline.
         async with robot.free.timeline(lead=0.01) as line:
             await line.set({robot.lamp: 99})
             assert await line.flush() == 1
 
 
 @on_simulated_time
-async def test_one_that_is_late_ends_the_block() -> None:
+async def test_a_late_write_ends_the_block() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -198,7 +198,7 @@ async def test_one_that_is_late_ends_the_block() -> None:
 
 @pytest.mark.parametrize("seconds", [2, pytest.param(60, marks=pytest.mark.campaign)])
 @on_simulated_time
-async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_never_late(seconds: int) -> None:
+async def test_18_joints_at_1_khz_from_a_program_that_sleeps_are_never_late(seconds: int) -> None:
     gateway = simulated(SPEC.interface(), Plant)
     chance = random.Random(1)
     async with unity_link.connect(gateway) as link:
@@ -210,7 +210,7 @@ async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_nev
                 line.delay(0.001)
                 if row >= next_sleep:
                     await asyncio.sleep(chance.uniform(0, 0.05))
-                    # The queue holds 97 rows: it lasts for one sleep, not for three in a row.
+                    # The queue holds 97 rows, which last for one sleep but not for three in a row.
                     next_sleep = row + chance.randint(100, 200)
             assert await line.flush() == seconds * 1000
         assert (await robot.plan.late.get(), await robot.plan.refused.get()) == (0, 0)
@@ -245,7 +245,7 @@ async def test_a_trajectory_is_played_and_then_held_or_made_safe(then: str) -> N
 
 
 @on_simulated_time
-async def test_what_cannot_be_played_is_told_before_anything_moves() -> None:
+async def test_an_impossible_trajectory_raises_before_a_request_is_sent() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -265,7 +265,7 @@ async def test_what_cannot_be_played_is_told_before_anything_moves() -> None:
 
 
 @on_simulated_time
-async def test_without_its_lease_nothing_acts_and_the_error_says_so() -> None:
+async def test_no_scheduled_write_acts_without_its_lease_and_an_error_reports_it() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -274,7 +274,7 @@ async def test_without_its_lease_nothing_acts_and_the_error_says_so() -> None:
         with pytest.raises(NotArmedError, match="nobody has armed it since the reset"):
             await done
 
-        # A lease that runs out stops what is on its way.
+        # A lease that runs out drops the scheduled writes.
         async def feed() -> None:
             async with robot.drive.armed(timeout=0.05), robot.plan.timeline(lead=0.01) as line:
                 for row in range(80):
@@ -288,7 +288,7 @@ async def test_without_its_lease_nothing_acts_and_the_error_says_so() -> None:
 
 
 @on_simulated_time
-async def test_another_program_that_writes_is_found() -> None:
+async def test_writes_of_another_program_to_the_schedule_are_detected() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -304,7 +304,7 @@ async def test_another_program_that_writes_is_found() -> None:
 
 
 @on_simulated_time
-async def test_the_clock_is_known_as_well_as_it_says() -> None:
+async def test_the_clock_is_within_its_stated_bounds() -> None:
     gateway = simulated(SPEC.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot = robot_of(link)
@@ -336,7 +336,7 @@ public robot() {
 
 
 @on_simulated_time
-async def test_a_write_follows_a_sample_by_a_time_that_is_exact_to_the_cycle() -> None:
+async def test_a_write_follows_a_sample_after_an_exact_number_of_cycles() -> None:
     gateway = simulated(SAMPLED.interface(), Plant)
     async with unity_link.connect(gateway) as link:
         robot: Any = unity_link.load(SAMPLED)(link)

@@ -1,4 +1,4 @@
-"""Writes at instants that nobody awaits, that a reset voids, and that a lost connection leaves half sent."""
+"""Writes at instants that are not awaited, lost in a reset, or sent in part before the connection is lost."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Robot = unity_link.load(SPEC)
 
 
 class Plant(SimulatedRobot):
-    """Keeps the values that are written, in their order."""
+    """Records the written values, in order."""
 
     def start(self) -> None:
         self.seen: list[tuple[str, Value]] = []
@@ -54,7 +54,7 @@ def gateway_of() -> Any:
 
 
 @on_simulated_time
-async def test_a_fence_raises_once_that_a_write_which_is_not_awaited_was_late() -> None:
+async def test_a_fence_raises_once_for_a_late_write_that_is_not_awaited() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)
         clock = await robot.free.clock()
@@ -68,7 +68,7 @@ async def test_a_fence_raises_once_that_a_write_which_is_not_awaited_was_late() 
 
 
 @on_simulated_time
-async def test_a_fence_waits_for_no_instant_and_tells_behind_it() -> None:
+async def test_a_fence_does_not_wait_for_instants_and_raises_after_them() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot = Robot(link)
@@ -76,7 +76,7 @@ async def test_a_fence_waits_for_no_instant_and_tells_behind_it() -> None:
         begun = asyncio.get_running_loop().time()
         first = clock.now().after(10)
         await robot.lamp.set(1, at=first)
-        # Its words are there behind its instant, as the queue is in order.
+        # The words of the second write arrive after the first instant, because the queue keeps their order.
         await robot.lamp.set(2, at=first.after(1e-7))
         await link.fence()
         assert asyncio.get_running_loop().time() - begun < 1
@@ -88,7 +88,7 @@ async def test_a_fence_waits_for_no_instant_and_tells_behind_it() -> None:
 
 
 @on_simulated_time
-async def test_a_fence_says_that_a_lease_was_not_armed_and_which_write_that_was() -> None:
+async def test_the_error_of_a_fence_names_the_write_without_a_lease() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)
         clock = await robot.plan.clock()
@@ -102,7 +102,7 @@ async def test_a_fence_says_that_a_lease_was_not_armed_and_which_write_that_was(
 
 
 @on_simulated_time
-async def test_the_errors_of_many_late_writes_are_one() -> None:
+async def test_many_late_writes_cause_one_error() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)
         clock = await robot.free.clock()
@@ -115,7 +115,7 @@ async def test_the_errors_of_many_late_writes_are_one() -> None:
 
 
 @on_simulated_time
-async def test_each_task_hears_of_its_own_late_writes_and_any_of_those_of_tasks_that_are_over() -> None:
+async def test_each_task_gets_the_errors_of_its_own_late_writes() -> None:
     written, heard = asyncio.Event(), asyncio.Event()
 
     async def write_and_stay(robot: Any) -> None:
@@ -154,14 +154,14 @@ async def test_a_write_at_an_instant_belongs_to_the_task_that_calls_set(by: str)
         robot = Robot(link)
         other = asyncio.create_task(fence(robot))
         clock = await robot.free.clock()
-        # Each runs in a task of its own, which is over when the other task calls `fence`.
+        # The write runs in a task of its own, which has ended when the other task calls `fence`.
         await asyncio.gather(robot.lamp.set(30, at=clock.now().after(-0.001)))
         await asyncio.sleep(0.001)
         written.set()
         await fenced.wait()
         asks = link.fence() if by == "fence" else robot.lamp.set(31, at=clock.now().after(0.1))
         if by == "set":
-            # It looks at what is known; the fence of the other task has read the registers.
+            # A `set` raises only known errors; the fence of the other task reads the registers first.
             await asyncio.sleep(0)
         with pytest.raises(LateError):
             await asyncio.wait_for(asks, 10)
@@ -178,7 +178,7 @@ async def test_a_set_of_a_timeline_raises_the_errors_of_the_task_that_calls_it()
                 line.delay(-1)
                 await asyncio.wait_for(line.set({robot.lamp: 1}), 10)
                 line.delay(2)
-                # It reads what became of the first one, as it waits for room.
+                # While it waits for space it reads the outcome of the first write.
                 for _ in range(40):
                     line.delay(0.1)
                     await asyncio.wait_for(line.set({robot.lamp: 2}), 60)
@@ -189,7 +189,7 @@ async def test_a_set_of_a_timeline_raises_the_errors_of_the_task_that_calls_it()
 
 
 @on_simulated_time
-async def test_a_fence_leaves_to_a_task_what_it_awaits_and_to_a_timeline_what_it_writes() -> None:
+async def test_a_fence_does_not_raise_for_awaited_writes_or_timelines() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)
         clock = await robot.free.clock()
@@ -213,7 +213,7 @@ async def test_a_fence_leaves_to_a_task_what_it_awaits_and_to_a_timeline_what_it
 
 
 @on_simulated_time
-async def test_a_write_whose_wait_was_cancelled_is_told_by_the_fence() -> None:
+async def test_the_fence_raises_for_a_write_whose_wait_was_cancelled() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)
         clock = await robot.plan.clock()
@@ -226,7 +226,7 @@ async def test_a_write_whose_wait_was_cancelled_is_told_by_the_fence() -> None:
 
 
 @on_simulated_time
-async def test_the_end_of_the_links_block_tells_it_as_well() -> None:
+async def test_the_end_of_the_links_block_raises_for_late_writes() -> None:
     async def leave(*, away: bool, ahead: float) -> None:
         valve = Valve(gateway_of())
         async with unity_link.connect(valve, reconnect=True) as link:
@@ -245,7 +245,7 @@ async def test_the_end_of_the_links_block_tells_it_as_well() -> None:
 
 
 @on_simulated_time
-async def test_the_end_of_the_links_block_raises_the_first_error_with_all_others_as_notes() -> None:
+async def test_the_end_of_the_links_block_raises_the_first_error_with_notes() -> None:
     async def leave() -> None:
         async with unity_link.connect(gateway_of()) as link:
             robot = Robot(link)
@@ -262,7 +262,7 @@ async def test_the_end_of_the_links_block_raises_the_first_error_with_all_others
 
 
 @on_simulated_time
-async def test_a_link_without_writes_at_instants_is_asked_nothing_more_by_a_fence() -> None:
+async def test_a_fence_sends_no_reads_without_writes_at_instants() -> None:
     async with unity_link.connect(gateway_of()) as link:
         Robot(link)
         before = link.statistics.requests
@@ -274,7 +274,7 @@ async def test_a_link_without_writes_at_instants_is_asked_nothing_more_by_a_fenc
 
 
 @on_simulated_time
-async def test_a_reset_voids_the_queue_and_each_way_to_look_says_so() -> None:
+async def test_a_reset_voids_the_queue_and_each_call_reports_it() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot = Robot(link)
@@ -306,7 +306,7 @@ async def test_a_reset_voids_the_queue_and_each_way_to_look_says_so() -> None:
 
 @pytest.mark.parametrize("awaits", [True, False])
 @on_simulated_time
-async def test_instants_of_before_a_reset_are_refused(*, awaits: bool) -> None:
+async def test_instants_from_before_a_reset_are_refused(*, awaits: bool) -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot = Robot(link)
@@ -360,7 +360,7 @@ async def test_a_reset_ends_a_timeline(seen_by: str) -> None:
 
 
 @on_simulated_time
-async def test_a_timeline_that_was_cancelled_takes_nothing_more() -> None:
+async def test_a_cancelled_timeline_accepts_no_more_writes() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway) as link:
         robot = Robot(link)
@@ -381,7 +381,7 @@ async def test_a_timeline_that_was_cancelled_takes_nothing_more() -> None:
 
 
 @on_simulated_time
-async def test_what_is_queued_goes_on_over_a_connection_that_is_lost_and_opened_again() -> None:
+async def test_queued_writes_act_after_a_reconnection() -> None:
     gateway = gateway_of()
     async with unity_link.connect(gateway, reconnect=True) as link:
         robot = Robot(link)
@@ -397,7 +397,7 @@ async def test_what_is_queued_goes_on_over_a_connection_that_is_lost_and_opened_
 
 
 @on_simulated_time
-async def test_a_batch_whose_words_are_lost_with_the_connection_cancels_what_waits() -> None:
+async def test_an_incomplete_batch_after_a_lost_connection_cancels_the_queue() -> None:
     valve = Valve(gateway := gateway_of())
     async with unity_link.connect(valve, reconnect=True) as link:
         robot = Robot(link)
@@ -422,20 +422,20 @@ async def test_a_batch_whose_words_are_lost_with_the_connection_cancels_what_wai
         assert gateway.robot.of("lamp") == [3]
 
 
-# Other programs than those of asyncio
+# Programs of other APIs than asyncio
 
 
-def test_fences_of_blocking_programs_raise_it() -> None:
+def test_fences_of_blocking_programs_raise_for_late_writes() -> None:
     with blocking.connect(gateway_of()) as link:
         robot = put(Robot, link)
-        # A second, as the clock of a machine that is busy is known to milliseconds.
+        # A second late: on a busy machine the clock is known only to milliseconds.
         robot.lamp.set(30, at=robot.free.clock().now().after(-1))
         with pytest.raises(LateError):
             link.fence()
         link.fence()
 
 
-def test_under_trio_fences_raise_it_and_tasks_look_at_once() -> None:
+def test_fences_under_trio_raise_for_late_writes_and_tasks_wait_together() -> None:
     gateway = gateway_of()
 
     async def wait_for(done: Any, instants: list[int]) -> None:

@@ -1,4 +1,4 @@
-"""The quick model of a schedule is as the model of its bench, cycle by cycle, which the entity is held equal to."""
+"""The quick model of a schedule equals the model of its bench in every cycle; the bench compares that to the entity."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ FATES = ("fates", "late", "refused", "slack")
 runs = st.lists(st.tuples(st.integers(0, 9), st.lists(st.integers(0, 2**32 - 1), min_size=1, max_size=6)), max_size=2)
 good = runs.map(lambda some: [word for first, words in some for word in (len(words) << 16 | first, *words)])
 full = st.integers(8, DEPTH - 2).map(lambda count: [count - 1 << 16, *range(count - 1)])
-"""Runs that just fit, or just do not."""
+"""Runs that just fit into the queue, or just do not."""
 malformed = st.lists(st.integers(0, 2**18) | st.integers(0, 2**32 - 1), max_size=12)
-"""Runs of a batch that may end anywhere."""
+"""Runs of a batch, which may end at any word."""
 margin = st.integers(-2, 2) | st.integers(0, 60) | st.sampled_from([-(2**39), 2**39, -1000])
-"""Cycles between the earliest instant of a batch that finds the queue empty, and its own."""
+"""Cycles from the earliest possible instant of a batch in an empty queue to its own instant."""
 events = st.lists(
     st.tuples(
         st.one_of(
@@ -61,7 +61,7 @@ class Around:
 
 
 def inputs_of(happened: list[Any], now: int) -> list[tuple[int | None, bool, bool, bool]]:
-    """Return a word, whether to cancel, whether it is armed, and whether it is finishing, for each cycle."""
+    """Return for each cycle a word or None, and if it cancels, if the lease is armed, and if it is finishing."""
     cycles: list[tuple[int | None, bool, bool, bool]] = []
     armed, finishing = True, False
     for (kind, *what), pause in happened:
@@ -82,7 +82,7 @@ def inputs_of(happened: list[Any], now: int) -> list[tuple[int | None, bool, boo
 
 
 def behind_one_that_waits(count: int) -> list[Any]:
-    """Return a batch of three words that waits with one of them unread, and one of so many words behind it."""
+    """Return a waiting batch of three words, one of them unread, followed by a batch of `count` words."""
     return [(("batch", 60, [2 << 16, 1, 2], 0), 20), (("batch", 60, [count - 1 << 16, *range(count - 1)], 0), 0)]
 
 
@@ -90,7 +90,7 @@ def behind_one_that_waits(count: int) -> list[Any]:
 @example(happened=behind_one_that_waits(DEPTH - 2), now=1)
 @settings(max_examples=examples(100), deadline=None)
 @given(happened=events, now=st.sampled_from([1, 2**40 - 300, 2**63]))
-def test_it_is_as_the_model_of_the_bench_in_every_cycle(happened: list[Any], now: int) -> None:
+def test_the_quick_model_equals_the_model_of_the_bench_in_every_cycle(happened: list[Any], now: int) -> None:
     around, part = Around(now), SimpleNamespace(**{signal.name: 0 for signal in COMPONENT.signals})
     quick, exact = ScheduleModel(COMPONENT, part, around), bench.Model()
     expected: list[tuple[int, dict[int, int]]] = []
@@ -127,7 +127,7 @@ def test_it_is_as_the_model_of_the_bench_in_every_cycle(happened: list[Any], now
     instant=st.integers(0, 2**63),
     words=st.dictionaries(st.integers(0, 40), st.integers(0, 2**32 - 1), min_size=1, max_size=40),
 )
-def test_a_batch_is_read_as_it_is_written(instant: int, words: dict[int, int]) -> None:
+def test_a_batch_is_decoded_as_it_was_encoded(instant: int, words: dict[int, int]) -> None:
     header, low, *rest = batch_of(instant, words)
     assert (header & 0xFF) << 32 | low == instant % 2**40
     assert header >> 24 == len(rest)

@@ -1,4 +1,4 @@
-"""Writes at instants on the compiled gateware, where each is at a port in the cycle that was asked for."""
+"""Writes at instants on the compiled gateware: each is at its port in the requested cycle."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ class Robot:
         return dict(self.gateway.ports)
 
     def changes(self, names: list[str], cycles: int) -> list[tuple[int, tuple[int, ...]]]:
-        """Run so many cycles, and return those in which ports have changed, with what they are then."""
+        """Run a number of cycles; return the cycles in which ports have changed, with the new values."""
         found, before = [], tuple(self.ports[name].value for name in names)
         ports = [self.ports[name] for name in names]
         for _ in range(cycles):
@@ -73,7 +73,7 @@ def robot(tmp_path: Path) -> Robot:
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_all_words_of_an_instant_are_there_in_its_cycle(robot: Robot) -> None:
+async def test_all_words_of_an_instant_act_in_its_cycle(robot: Robot) -> None:
     async with unity_link.connect(robot.gateway) as link:
         machine: Any = robot.spec(link)
         async with machine.drive.armed():
@@ -98,7 +98,7 @@ async def test_all_words_of_an_instant_are_there_in_its_cycle(robot: Robot) -> N
 
 @pytest.mark.rtl
 @on_simulated_time
-async def test_what_waits_when_the_lease_ends_does_not_act(robot: Robot) -> None:
+async def test_scheduled_writes_do_not_act_after_the_lease_has_ended(robot: Robot) -> None:
     async with unity_link.connect(robot.gateway) as link:
         machine: Any = robot.spec(link)
 
@@ -119,9 +119,7 @@ async def test_what_waits_when_the_lease_ends_does_not_act(robot: Robot) -> None
     "rows", [500, *(pytest.param(rows, marks=pytest.mark.campaign) for rows in (60_000, 3_600_000))]
 )
 @on_simulated_time
-async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_never_late(
-    robot: Robot, rows: int
-) -> None:
+async def test_18_joints_at_1_khz_from_a_program_that_sleeps_are_never_late(robot: Robot, rows: int) -> None:
     chance, next_sleep = random.Random(2), 0
     async with unity_link.connect(robot.gateway) as link:
         machine: Any = robot.spec(link)
@@ -134,7 +132,7 @@ async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_nev
                 line.delay(0.001)
                 if row >= next_sleep:
                     await asyncio.sleep(chance.uniform(0, 0.05))
-                    # The queue holds 97 rows: it lasts for one sleep, not for three in a row.
+                    # The queue holds 97 rows, which last for one sleep but not for three in a row.
                     next_sleep = row + chance.randint(100, 200)
             assert await line.flush() == rows
             assert [port.take_counts()[0].high for port in ports] == [rows] * JOINTS
@@ -145,7 +143,7 @@ async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_nev
 
 
 class Joints:
-    """Joints of a compiled robot, and where they are in each cycle in which they are written."""
+    """Joints of a compiled robot, and their values in each cycle in which they are written."""
 
     def __init__(self, robot: Robot) -> None:
         self.seen: list[tuple[int, tuple[int, ...]]] = []
@@ -170,10 +168,10 @@ async def ask_on(link: unity_link.Link, machine: Any) -> None:
 
 
 async def feed(machine: Any, rows: int, seconds: float, chance: random.Random) -> tuple[dict[int, int], int]:
-    """Write rows of all joints some 20 ms before their instants from a program that sleeps, now and then too long.
+    """Write rows of all joints some 20 ms before their instants, from a program that at times sleeps too long.
 
     Returns:
-        the number of each row by its instant, and how often the program was told that it was late.
+        the number of each row by its instant, and the number of times that a late row ended the timeline.
     """
     asked: dict[int, int] = {}
     times_late = number = 0
@@ -202,12 +200,12 @@ async def feed(machine: Any, rows: int, seconds: float, chance: random.Random) -
     [
         (250_000, 500_000, 15_000, 500),
         pytest.param(1_000_000, 2_000_000, 50_000, 1_000_000 // JOINTS, marks=pytest.mark.campaign),
-        # As a line of 3 Mbaud.
+        # As on a line of 3 Mbaud.
         pytest.param(300_000, 500_000, 9_000, 100_000 // JOINTS, marks=pytest.mark.campaign),
     ],
 )
 @on_simulated_time
-async def test_each_write_acts_in_its_cycle_or_is_counted_late_while_the_bus_is_busy(
+async def test_each_write_on_a_busy_bus_acts_in_its_cycle_or_is_counted_late(
     bytes_per_second: float, clock_hz: int, writes_per_second: float, rows: int, tmp_path: Path
 ) -> None:
     robot = Robot(tmp_path, clock_hz)
@@ -228,5 +226,5 @@ async def test_each_write_acts_in_its_cycle_or_is_counted_late_while_the_bus_is_
     assert len(seen) > 0.7 * rows
     assert times_late > 0
     assert late > 0
-    # The row that finds that its timeline has ended may not have been sent.
+    # The row whose timeline has already ended may not have been sent.
     assert 0 <= len(asked) - len(seen) - late - refused <= times_late

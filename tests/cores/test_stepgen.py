@@ -1,4 +1,4 @@
-"""Step generators from a program: on `sim:`, and on the compiled gateware of a whole design."""
+"""Step generators used by a program: on `sim:`, and on the compiled gateware of a whole design."""
 
 from __future__ import annotations
 
@@ -27,20 +27,20 @@ public gantry() {
 
 @pytest.fixture(params=["sim", pytest.param("rtl", marks=pytest.mark.rtl)])
 def gantry(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Any, Any]:
-    """Return the class of the robot, and the gateway."""
+    """Return the class of the robot, and its gateway."""
     path = tmp_path / "gantry.ul"
     path.write_text(SPEC)
     return unity_link.load(compile_file(path)), simulate(path, rtl=request.param == "rtl")
 
 
 @on_simulated_time
-async def test_axes_go_to_positions_and_the_program_waits_for_them(gantry: tuple[Any, Any]) -> None:
+async def test_axes_move_to_positions_while_the_program_waits(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:
         robot = robot_class(link)
         counter = gateway.ports.get("x_step")
         if counter is not None:
-            # Counting begins here.
+            # Start the count here.
             counter.take_counts()
         with pytest.raises(NotArmedError):
             await robot.x.move_to(1)
@@ -79,7 +79,7 @@ async def test_a_velocity_is_reached_and_stopped(gantry: tuple[Any, Any]) -> Non
 
 
 @on_simulated_time
-async def test_an_axis_whose_lease_ends_slows_down_stays_and_knows_where_it_is(gantry: tuple[Any, Any]) -> None:
+async def test_an_axis_whose_lease_ends_slows_down_and_keeps_its_position(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:
         robot = robot_class(link)
@@ -88,7 +88,7 @@ async def test_an_axis_whose_lease_ends_slows_down_stays_and_knows_where_it_is(g
                 await robot.y.move_to(1000)
         await asyncio.sleep(0.02)
         stands_at = await robot.y.position.get()
-        # 30 ms at 80 mm/s, less half a ramp of 2 ms, and then half another one.
+        # 30 ms at 80 mm/s, less half a ramp of 2 ms, plus half a ramp.
         assert 1.5 < stands_at < 3
         assert await robot.y.velocity.get() == 0
         assert await robot.y.holding.get() is True
@@ -100,7 +100,7 @@ async def test_an_axis_whose_lease_ends_slows_down_stays_and_knows_where_it_is(g
 
 
 @on_simulated_time
-async def test_move_to_kicks_the_lease_that_it_is_given(gantry: tuple[Any, Any]) -> None:
+async def test_move_to_kicks_the_given_lease(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:
         robot = robot_class(link)
@@ -124,7 +124,7 @@ async def test_move_to_ends_when_the_lease_that_it_kicks_is_disarmed(gantry: tup
 
 
 @on_simulated_time
-async def test_a_way_that_becomes_another_ends_with_an_error(gantry: tuple[Any, Any]) -> None:
+async def test_a_move_whose_target_is_changed_ends_with_an_error(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:
         robot = robot_class(link)
@@ -145,7 +145,7 @@ async def test_a_lower_maxaccel_in_motion_acts_from_the_next_standstill(gantry: 
         async with robot.armed(timeout=0.9) as lease:
 
             async def pass_time(seconds: float) -> float:
-                """Let time pass; return the way of the axis in it."""
+                """Let time pass; return the distance that the axis has moved."""
                 begin = await x.position.get()
                 await asyncio.sleep(seconds)
                 await lease.kick()
@@ -154,7 +154,7 @@ async def test_a_lower_maxaccel_in_motion_acts_from_the_next_standstill(gantry: 
 
             await x.maxaccel.set(200)
             await x.position_cmd.set(20)
-            # It needs 4 mm to stop, and 40 mm by the next acceleration.
+            # The axis needs 4 mm to stop, and 40 mm with the new acceleration.
             assert await pass_time(0.35) == pytest.approx(10, abs=0.6)
             await x.maxaccel.set(20)
             assert await x.maxaccel.get() == pytest.approx(20)
@@ -162,13 +162,13 @@ async def test_a_lower_maxaccel_in_motion_acts_from_the_next_standstill(gantry: 
             assert min(ways) >= 0
             assert await x.position.get() == 20
             assert await x.in_position.get()
-            # From standstill the new one acts: half of it by the square of the time.
+            # From standstill the new acceleration acts: the distance is half of it times the square of the time.
             await x.position_cmd.set(0)
             assert await pass_time(0.2) == pytest.approx(-0.4, abs=0.1)
 
 
 @on_simulated_time
-async def test_an_axis_whose_lease_ends_slows_down_by_the_acceleration_of_the_spec(gantry: tuple[Any, Any]) -> None:
+async def test_an_axis_whose_lease_ends_brakes_with_the_acceleration_of_the_spec(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:
         x = robot_class(link).x
@@ -178,6 +178,6 @@ async def test_an_axis_whose_lease_ends_slows_down_by_the_acceleration_of_the_sp
             await asyncio.sleep(0.4)
             begin = await x.position.get()
         await asyncio.sleep(0.02)
-        # 40 mm in 20 ms at most, and 4 mm more to stop by 200 mm/s2.
+        # At most 40 mm in 20 ms, and 4 mm more to stop by 200 mm/s2.
         assert await x.velocity.get() == 0
         assert await x.position.get() - begin < 0.8

@@ -1,4 +1,4 @@
-"""The twelve axes of the examples as a whole: each core, the schedule and the lease, on `sim:` and the gateware."""
+"""The twelve axes of the examples as a whole: all cores, the schedule and the lease, on `sim:` and on the gateware."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from unity_link.virtual.simulated import SimulatedRobot
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "twelve_axes.ul"
 SPEC = compile_text(EXAMPLE.read_text().replace("MAXVEL=200", "MAXVEL=5"))
-"""The same with slow slides, for which the compiled gateware has its least clock."""
+"""The example with slow slides, which the compiled gateware supports at its lowest clock."""
 AXES, PINS = range(12), range(8)
 DRIVEN, HIGH = PINS[::2], frozenset({1, 5})
-"""Pins that a program drives, and those of the others that the plant has at 1."""
+"""Pins that a program drives, and those of the others that the plant sets to 1."""
 INPUTS, OUTPUTS = 0x8040_2011, 0x80_1003
 PERIOD = 16
-"""Cycles of a period of the PWM, at the least clock."""
+"""Cycles of a period of the PWM, at the lowest clock."""
 
 ON = pytest.mark.parametrize(
     "rtl", [False, pytest.param(True, marks=[pytest.mark.rtl, pytest.mark.campaign])], ids=["sim", "rtl"]
@@ -32,7 +32,7 @@ Robot = unity_link.load(SPEC)
 
 
 class Machine(SimulatedRobot):
-    """Motors whose speed follows their voltage, each by its own factor, and pins."""
+    """Motors with a speed in proportion to their voltage, each by its own factor, and pins."""
 
     axes: Any
     pins: Any
@@ -40,7 +40,7 @@ class Machine(SimulatedRobot):
     outputs: Any
 
     def start(self) -> None:
-        """Stand still."""
+        """Stop all wheels."""
         self.angles = [0.0 for _ in AXES]
         self.is_stopped = False
 
@@ -61,7 +61,7 @@ def volts(index: int) -> float:
 
 
 def place(index: int) -> float:
-    """Return a place for each slide in mm, on both sides, and 0 for one."""
+    """Return a position in mm for each slide, of both signs, and 0 for one."""
     return (index - 3) * 5 / 200
 
 
@@ -78,7 +78,7 @@ async def run(robot: Any) -> None:
 
 @ON
 @on_simulated_time
-async def test_each_of_twelve_axes_and_64_pins_does_what_its_registers_say(rtl: bool) -> None:
+async def test_twelve_axes_and_64_pins_follow_their_registers(rtl: bool) -> None:
     gateway = simulated(SPEC.interface(), Machine, Wanted(rtl=rtl))
     machine: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
@@ -121,7 +121,7 @@ async def test_set_points_of_all_axes_act_in_their_cycles(rtl: bool) -> None:
         clock = await robot.plan.clock()
         async with robot.drive.armed(timeout=0.09) as lease:
             together = clock.now().after(0.03)
-            # Each in another cycle of its period.
+            # Each instant is in another cycle of a PWM period.
             instants = [together.after(place * (PERIOD + 1) / clock.clock_hz) for place in range(1, 2 * len(AXES) + 1)]
             async with robot.plan.timeline(lease=lease) as line:
                 set_points = (signal for axis in robot.axes for signal in (axis.motor.value, axis.slide.position_cmd))
@@ -141,7 +141,7 @@ async def test_set_points_of_all_axes_act_in_their_cycles(rtl: bool) -> None:
 
 
 def see_turns(gateway: Any, instants: list[int]) -> None:
-    """See outputs change in their cycles, and motors at the first begin of a period behind theirs, two cycles later."""
+    """Assert that outputs change in their cycles, and motors at the next start of a period, two cycles later."""
     bare: Any = gateway._gateway
     ports = [gateway.ports[f"axes_{index}_motor_dir"] for index in AXES]
     before, turns, shown = [0] * len(AXES), [], dict[int, int]()
@@ -153,7 +153,7 @@ def see_turns(gateway: Any, instants: list[int]) -> None:
         before = now
     assert [shown[number] for number in range(1, len(instants) + 1)] == instants
     assert [index for index, _ in turns] == [*AXES, *AXES]
-    # A write that acts in the cycle before or behind it is beyond one of the ends.
+    # A write that acted one cycle early or late would be outside of this range.
     assert {cycle - at for (_, cycle), at in zip(turns, instants, strict=True)} == set(range(2, 2 + PERIOD))
 
 

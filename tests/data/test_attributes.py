@@ -1,4 +1,4 @@
-"""A name that there is not: reading it says which is near, and an assignment is never accepted and does nothing."""
+"""Unknown attribute names: a read suggests the nearest name; an assignment raises and has no effect."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ public rover() {
 """)
 
 
-def test_making_a_robot_looks_for_no_similar_names(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A suggestion takes as long as making a hundred signals."""
+def test_creating_a_robot_does_not_search_for_similar_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A suggestion takes as long as creating a hundred signals."""
 
     def fail(*_: object, **__: object) -> None:
         raise AssertionError
@@ -57,7 +57,7 @@ NEAR = {
     "plain_samples": ("recieved", "'received'"),
     "link.statistics": ("round_tirp", "'round_trip'"),
 }
-"""Things, names that they do not have, and what is near."""
+"""Objects with a wrong attribute name, and the expected suggestion."""
 KNOWN = {
     "robot": "signals",
     "robot.left": "speed",
@@ -70,9 +70,9 @@ KNOWN = {
     "sample": "lost",
     "samples": "take",
 }
-"""Things, and names that they have and that are not for programs to set."""
+"""Objects with an attribute name that they have and that programs must not assign."""
 OPEN = {"link", "plain_samples", "plain", "sample.values", "link.statistics"}
-"""These are refused by Python itself, which knows of no near names; or, on the way of every request, by nothing."""
+"""Python itself refuses these without a suggestion; classes on the path of every request have no check at all."""
 
 
 def generated_class() -> Any:
@@ -112,7 +112,7 @@ def names(request: pytest.FixtureRequest) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("thing", NEAR)
-def test_a_name_that_there_is_not_is_told_with_the_near_one(names: dict[str, Any], thing: str) -> None:
+def test_the_error_for_an_unknown_name_suggests_the_nearest(names: dict[str, Any], thing: str) -> None:
     name, near = NEAR[thing]
     found = eval(thing, names)
 
@@ -126,7 +126,7 @@ def test_a_name_that_there_is_not_is_told_with_the_near_one(names: dict[str, Any
 
 
 @pytest.mark.parametrize("thing", sorted(NEAR.keys() - OPEN))
-def test_an_assignment_to_it_is_refused_by_the_same_sentence(names: dict[str, Any], thing: str) -> None:
+def test_an_assignment_to_an_unknown_name_is_refused_in_the_same_way(names: dict[str, Any], thing: str) -> None:
     name, near = NEAR[thing]
     found = eval(thing, names)
 
@@ -139,14 +139,14 @@ def test_an_assignment_to_it_is_refused_by_the_same_sentence(names: dict[str, An
 
 
 @pytest.mark.parametrize("thing", sorted(OPEN - {"link", "plain_samples"}))
-def test_what_python_refuses_to_set_stays_as_it_is(names: dict[str, Any], thing: str) -> None:
+def test_an_assignment_that_python_refuses_has_no_effect(names: dict[str, Any], thing: str) -> None:
     found = eval(thing, names)
     with pytest.raises(AttributeError):
         setattr(found, NEAR[thing][0], 1)
 
 
 @pytest.mark.parametrize("thing", KNOWN)
-def test_what_a_thing_has_is_not_replaced(names: dict[str, Any], thing: str) -> None:
+def test_an_existing_attribute_cannot_be_replaced(names: dict[str, Any], thing: str) -> None:
     found = eval(thing, names)
     before = getattr(found, KNOWN[thing])
 
@@ -156,7 +156,7 @@ def test_what_a_thing_has_is_not_replaced(names: dict[str, Any], thing: str) -> 
     assert callable(before) or getattr(found, KNOWN[thing]) == before
 
 
-def test_a_value_is_not_assigned_but_set(names: dict[str, Any]) -> None:
+def test_an_assignment_of_a_value_is_refused_with_the_call_of_set(names: dict[str, Any]) -> None:
     robot = names["robot"]
     with pytest.raises(ArgumentError, match=r"^left\.pos is not assigned to: (await )?left\.pos\.set\(5\) writes it$"):
         robot.left.pos = 5
@@ -166,7 +166,7 @@ def test_a_value_is_not_assigned_but_set(names: dict[str, Any]) -> None:
         robot.left.pos.value = 5
 
 
-def test_a_module_of_ones_own_sets_what_it_has() -> None:
+def test_a_subclass_of_module_may_set_its_own_attributes() -> None:
     class Lift(Module):
         speed = 1
 
@@ -195,7 +195,7 @@ def test_a_module_of_ones_own_sets_what_it_has() -> None:
     asyncio.run(use())
 
 
-def test_a_robot_of_ones_own_sets_what_its_class_declares() -> None:
+def test_a_subclass_of_robot_may_set_its_declared_attributes() -> None:
     class Rover(unity_link.load(SPEC)):  # type: ignore[misc]
         goal: float
         limit = 3

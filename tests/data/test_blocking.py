@@ -1,4 +1,4 @@
-"""The robot of a spec without await: from the thread of a script."""
+"""The robot of a spec without await: used from the thread of a script."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_values_are_read_written_and_remembered(robot: Any) -> None:
         robot.j1.pos_sp.set(1000)
 
 
-def test_samples_are_iterated_over_and_called_back_with(robot: Any) -> None:
+def test_samples_are_iterated_over_and_passed_to_callbacks(robot: Any) -> None:
     robot.j1.pos_sp.set(1)
     seen: list[float] = []
     with robot.j1.cpos.on_change(seen.append):
@@ -55,7 +55,7 @@ def test_samples_are_iterated_over_and_called_back_with(robot: Any) -> None:
     assert next(samples).values[robot.j1.cpos] == pytest.approx(1, abs=0.001)
 
 
-def test_groups_take_and_give_many_values(robot: Any) -> None:
+def test_groups_write_and_read_many_values(robot: Any) -> None:
     targets = Group(robot.j1.pos_sp, robot.j2.pos_sp)
     targets.set({robot.j1.pos_sp: 9, robot.j2.pos_sp: 18})
     values = targets.get()
@@ -67,7 +67,7 @@ def test_groups_take_and_give_many_values(robot: Any) -> None:
         assert next(iter(samples)).values[robot.j1.pos_sp] == 9
 
 
-def test_samples_of_a_group_whose_link_is_closed_in_their_block_end_and_count_as_closed(
+def test_a_subscription_whose_link_was_closed_causes_no_warning(
     link: blocking.BlockingLink, robot: Any, recwarn: pytest.WarningsRecorder
 ) -> None:
     with Group(robot.j1.cpos).subscribe(rate_hz=100) as samples:
@@ -77,9 +77,7 @@ def test_samples_of_a_group_whose_link_is_closed_in_their_block_end_and_count_as
     assert not recwarn.list
 
 
-def test_samples_of_a_group_that_came_before_its_link_was_closed_are_given_and_then_its_end(
-    link: blocking.BlockingLink, robot: Any
-) -> None:
+def test_samples_from_before_the_close_of_a_link_are_returned_first(link: blocking.BlockingLink, robot: Any) -> None:
     group = Group(robot.j1.cpos, rate_hz=100)
     loop = iter(group)
     first = next(loop).sequence
@@ -100,7 +98,7 @@ def test_samples_of_a_group_that_came_before_its_link_was_closed_are_given_and_t
     assert seen == list(range(first, first + len(seen)))
 
 
-def test_loops_that_are_left_in_many_threads_leave_nothing_subscribed(robot: Any) -> None:
+def test_loops_left_in_many_threads_end_their_subscriptions(robot: Any) -> None:
     def leave_loops() -> None:
         for _ in range(40):
             for _ in robot.groups["state"]:
@@ -117,7 +115,7 @@ def test_loops_that_are_left_in_many_threads_leave_nothing_subscribed(robot: Any
         gc.enable()
 
 
-def test_a_loop_chooses_how_many_samples_wait_for_it(robot: Any) -> None:
+def test_a_loop_may_set_the_size_of_its_buffer(robot: Any) -> None:
     newest = robot.j1.cpos.samples(buffer=1, overflow="drop_oldest")
     assert len([value for value, _ in zip(newest, range(3), strict=False)]) == 3
     some = robot.groups["state"].samples(buffer=1000)
@@ -125,25 +123,25 @@ def test_a_loop_chooses_how_many_samples_wait_for_it(robot: Any) -> None:
     assert sequences == [sequences[0] + place for place in range(3)]
 
 
-def test_a_group_is_of_one_link(robot: Any) -> None:
+def test_a_blocking_group_has_signals_of_one_link(robot: Any) -> None:
     with blocking.connect("sim:scara") as other, pytest.raises(ArgumentError, match="members on one link"):
         Group(robot.j1.cpos, put(Scara, other).j1.cpos)
 
 
-def test_a_signal_is_not_assigned_to(robot: Any) -> None:
+def test_an_assignment_to_a_signal_is_refused(robot: Any) -> None:
     with pytest.raises(ArgumentError, match=r"j1\.pos_sp is not assigned to: j1\.pos_sp\.set\(1\) writes it"):
         robot.j1.pos_sp = 1
     assert isinstance(robot.j1.pos_sp, View)
 
 
-def test_a_closed_link_ends_it(link: blocking.BlockingLink, robot: Any) -> None:
+def test_a_closed_link_ends_the_calls_of_a_robot(link: blocking.BlockingLink, robot: Any) -> None:
     assert isinstance(robot.j1, View)
     link.close()
     with pytest.raises(LinkClosedError):
         robot.j1.cpos.get()
 
 
-def test_a_subscription_of_a_group_without_its_block_says_what_to_write(robot: Any) -> None:
+def test_the_error_for_a_group_without_a_block_shows_the_code(robot: Any) -> None:
     samples = Group(robot.j1.cpos).subscribe(rate_hz=100)
     for ask in (samples.take, lambda: next(iter(samples))):
         with pytest.raises(ArgumentError, match="`with` in blocking code"):

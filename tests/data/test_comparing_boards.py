@@ -1,4 +1,4 @@
-"""Programs that bring a spec to a board: taken where all of it is there alike, refused before the first write else."""
+"""A program's spec is compared with the board's; an incompatible one is refused before the first write."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ CHANGES = {"SCALE=0.5": "SCALE=0.25", '"m/s"': '"km/h"', "0x11[0]": "0x12[1]"}
 
 @pytest.fixture
 def written(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Return the addresses that any gateway here has written on its bus, from now on."""
+    """Return the list of addresses that any gateway writes on its bus from now on."""
     addresses: list[int] = []
     write = ModelBus.write
 
@@ -58,13 +58,15 @@ def board(folder: Path, text: str) -> str:
 
 
 async def first_write(robot: Robot) -> None:
-    """Write what can be written without a lease, or begin one."""
+    """Write a signal without a lease, or arm a lease."""
     proxies: list[Any] = [one for one in robot.signals if one.signal.access.writes and one.signal.safe is None]
     await proxies[0].set(1)
 
 
 @pytest.mark.parametrize("number", range(20))
-def test_each_other_spec_is_refused_before_the_first_write(number: int, tmp_path: Path, written: list[int]) -> None:
+def test_each_incompatible_spec_is_refused_before_the_first_write(
+    number: int, tmp_path: Path, written: list[int]
+) -> None:
     path, chance = SPECS[number % len(SPECS)], random.Random(number)
     mine = load(path)
     _, change = changed(path, chance, INCOMPATIBLE)
@@ -87,7 +89,7 @@ def test_each_other_spec_is_refused_before_the_first_write(number: int, tmp_path
 
 
 @pytest.mark.parametrize("number", range(12))
-def test_each_spec_that_has_all_alike_is_taken_and_written(number: int, tmp_path: Path, written: list[int]) -> None:
+def test_each_compatible_spec_is_accepted_and_written(number: int, tmp_path: Path, written: list[int]) -> None:
     path, chance = SPECS[number % len(SPECS)], random.Random(number)
     mine = load(path)
     _, change = changed(path, chance, COMPATIBLE)
@@ -99,7 +101,7 @@ def test_each_spec_that_has_all_alike_is_taken_and_written(number: int, tmp_path
             assert type(robot) is mine
             await first_write(robot)
             assert {*written} - {page_address(change.interface.address_bits)}
-            # Compared once for a link: from now on, the class alone will do.
+            # The link was compared once; the class alone is enough from now on.
             await first_write(mine(link))
 
     program()
@@ -111,7 +113,7 @@ async def open_robot(url: str, spec: str | Path | Spec | type[Robot]) -> Robot:
         return await unity_link.robot(link, spec)
 
 
-def test_the_error_names_file_signal_and_property_with_both_values_of_at_most_five(tmp_path: Path) -> None:
+def test_the_error_lists_at_most_five_differences_with_both_values(tmp_path: Path) -> None:
     (tmp_path / "robot.ul").write_text(SPEC)
     other = SPEC
     for old, new in CHANGES.items():
@@ -135,7 +137,7 @@ def test_the_error_names_file_signal_and_property_with_both_values_of_at_most_fi
         open_robot(board(tmp_path, SPEC), compile_text(f"public robot() {{ {many} }}"))
 
 
-def test_a_spec_may_be_a_path_a_compiled_one_or_a_class_and_a_loaded_class_stays_its_own(tmp_path: Path) -> None:
+def test_a_spec_may_be_a_path_a_compiled_spec_or_a_class(tmp_path: Path) -> None:
     path = tmp_path / "robot.ul"
     path.write_text(SPEC)
     url = board(tmp_path, SPEC.replace("}\n", "  @more = 0x20: READ();\n}\n"))
@@ -144,13 +146,13 @@ def test_a_spec_may_be_a_path_a_compiled_one_or_a_class_and_a_loaded_class_stays
         assert [*robot.interface.signals] == ["speed", "lamp"]
 
 
-def test_map_any_compares_nothing(tmp_path: Path) -> None:
+def test_map_any_skips_the_comparison(tmp_path: Path) -> None:
     url = board(tmp_path, SPEC.replace("0.5", "0.25"))
     assert open_robot(f"{url}?map=any", compile_text(SPEC)).interface.signals["speed"].kind.scale == 0.5
 
 
 @on_simulated_time
-async def test_a_described_gateway_with_a_build_identifier_of_its_own_is_compared_as_well() -> None:
+async def test_a_described_gateway_with_its_own_build_identifier_is_compared() -> None:
     features = simulate(ROVER).info.features & ~Feature.FINGERPRINT
     async with unity_link.connect(f"sim:{ROVER}?features={int(features)}&build_id=20260101") as link:
         assert (await unity_link.robot(link, ROVER)).interface.name == "rover"
@@ -159,7 +161,7 @@ async def test_a_described_gateway_with_a_build_identifier_of_its_own_is_compare
 
 
 @on_simulated_time
-async def test_a_gateway_without_a_description_is_compared_by_its_fingerprint_alone() -> None:
+async def test_a_gateway_without_a_description_is_compared_by_its_fingerprint() -> None:
     ours = compile_text(SPEC)
     info = GatewayInfo(features=GatewayInfo().features | Feature.FINGERPRINT, build_id=ours.interface().fingerprint)
     async with unity_link.connect(VirtualGateway(info)) as link:
@@ -172,7 +174,7 @@ async def test_a_gateway_without_a_description_is_compared_by_its_fingerprint_al
 
 
 @on_simulated_time
-async def test_a_class_put_on_a_link_says_what_compares_and_a_link_that_is_none_is_refused() -> None:
+async def test_the_error_of_a_mismatched_class_names_the_comparing_call() -> None:
     other = load(compile_text(ROVER.read_text().replace("1 / 2047", "1 / 2000")))
     async with unity_link.connect(f"sim:{ROVER}") as link:
         with pytest.raises(SpecMismatchError, match=r"`await unity_link\.robot\(link, spec\)` reports the differences"):
@@ -182,7 +184,7 @@ async def test_a_class_put_on_a_link_says_what_compares_and_a_link_that_is_none_
         await unity_link.robot(not_open, other)
 
 
-def test_a_blocking_link_compares_and_refuses_likewise(tmp_path: Path, written: list[int]) -> None:
+def test_a_blocking_link_compares_specs_too(tmp_path: Path, written: list[int]) -> None:
     url = board(tmp_path, SPEC.replace("}\n", "  @more = 0x20: READ();\n}\n"))
     with unity_link.blocking.connect(url) as link:
         with pytest.raises(SpecMismatchError, match=r"speed: SCALE is 0\.25 in the spec and 0\.5 on the board"):
@@ -193,7 +195,7 @@ def test_a_blocking_link_compares_and_refuses_likewise(tmp_path: Path, written: 
         assert robot.speed.get() == 2
 
 
-def test_values_on_the_stage_of_a_schedule_are_not_put_in_the_places_of_others(tmp_path: Path) -> None:
+def test_a_spec_with_other_places_on_the_stage_of_a_schedule_is_refused(tmp_path: Path) -> None:
     lines = "public robot() { plan: SCHEDULE() @(0x40); @a = 0x10: READWRITE(TIMED(plan)); NEW }"
     mine = compile_text(lines.replace("NEW", ""))
     before, behind = (lines.replace("NEW", f"@b = {at}: READWRITE(TIMED(plan));") for at in (0x0F, 0x11))
@@ -210,7 +212,7 @@ public r() {{ GATEWAY(ADDRESS_BITS=12); {first} @b = 0x11: READ(PUBLISH(hits)); 
 
 
 @pytest.mark.asyncio
-async def test_a_spec_without_a_group_of_the_board_numbers_the_next_ones() -> None:
+async def test_a_spec_that_numbers_a_group_unlike_the_board_is_refused() -> None:
     first = "@a = 0x10: READ(PUBLISH(state));"
     for number in ("", "NUMBER=1, "):
         behind = compile_text(NUMBERED.format(number=number, first=first))

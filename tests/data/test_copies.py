@@ -1,4 +1,4 @@
-"""Copies and pickles: data has them; what belongs to a link is its own copy, or refused by a pickle."""
+"""Copies and pickles: data can be copied; objects of a link are returned by a copy and refused by a pickle."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ async def test_a_batch_and_its_table_and_samples_are_copied(copied: Callable[[An
 
 
 @on_simulated_time
-async def test_a_signal_out_of_a_pickle_is_known_by_its_path_and_has_no_link() -> None:
+async def test_an_unpickled_signal_has_its_path_and_no_link() -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         alone: Any = pickled(robot.angle)
@@ -90,7 +90,7 @@ async def test_a_signal_out_of_a_pickle_is_known_by_its_path_and_has_no_link() -
 
 
 @on_simulated_time
-async def test_what_belongs_to_a_link_is_itself_where_it_is_copied() -> None:
+async def test_copies_of_objects_that_belong_to_a_link_are_the_same_objects() -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         targets = {robot.mode: ["off"]}
@@ -105,7 +105,7 @@ async def test_what_belongs_to_a_link_is_itself_where_it_is_copied() -> None:
 
 
 @on_simulated_time
-async def test_a_link_and_its_subscriptions_are_themselves_where_they_are_copied() -> None:
+async def test_copies_of_a_link_and_its_subscriptions_are_the_same_objects() -> None:
     async with unity_link.connect(VirtualGateway()) as link, link.subscribe(0x11, rate_hz=100) as samples:
         of_group = Group(ROBOT(link).angle).subscribe(rate_hz=10)
         for thing, name in ((link, "a link"), (samples, "a subscription"), (of_group, "a subscription of a group")):
@@ -114,7 +114,7 @@ async def test_a_link_and_its_subscriptions_are_themselves_where_they_are_copied
                 pickle.dumps(thing)
 
 
-def test_views_of_a_blocking_robot_are_copied_as_what_they_stand_for() -> None:
+def test_copies_of_views_of_a_blocking_robot_are_the_same_objects() -> None:
     with blocking.connect("sim:") as link:
         robot = put(ROBOT, link)
         for thing in (robot, robot.part, robot.mode):
@@ -128,7 +128,7 @@ def test_views_of_a_blocking_robot_are_copied_as_what_they_stand_for() -> None:
                 pickle.dumps(thing)
 
 
-def test_members_of_an_enumeration_go_to_other_programs() -> None:
+def test_members_of_an_enumeration_can_be_unpickled_in_other_programs() -> None:
     member = ROBOT.enumerations["mode"]["manual"]
     for copied in COPIES:
         assert copied(member) is member

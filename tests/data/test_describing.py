@@ -1,4 +1,4 @@
-"""Robots of boards that say themselves what they are."""
+"""Robots of boards that carry the description of their spec."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BALANCER = Path(__file__).parents[2] / "examples" / "balancer" / "balancer.ul"
 
 
 @on_simulated_time
-async def test_a_robot_is_there_with_names_units_limits_and_the_verbs_of_its_cores() -> None:
+async def test_a_described_robot_has_names_units_limits_and_the_core_apis() -> None:
     async with unity_link.connect(f"sim:{BALANCER}") as link:
         robot = await unity_link.robot(link)
         assert Feature.DESCRIPTION in link.gateway.features
@@ -34,7 +34,7 @@ async def test_a_robot_is_there_with_names_units_limits_and_the_verbs_of_its_cor
 
 
 @on_simulated_time
-async def test_it_is_there_within_two_seconds_on_a_line_of_a_megabaud() -> None:
+async def test_a_description_is_read_within_two_seconds_at_a_megabaud() -> None:
     async with unity_link.connect(put_behind_line(simulate(BALANCER), bytes_per_second=100_000)) as link:
         began = asyncio.get_running_loop().time()
         await unity_link.robot(link)
@@ -42,12 +42,12 @@ async def test_it_is_there_within_two_seconds_on_a_line_of_a_megabaud() -> None:
 
 
 @on_simulated_time
-async def test_readers_who_turn_each_others_pages_read_whole_descriptions() -> None:
+async def test_concurrent_readers_of_a_description_read_it_completely() -> None:
     async with unity_link.connect(f"sim:{BALANCER}") as link:
         turns = 0
 
         class Turned:
-            """The link, where another reader turns to page 0 once in a while."""
+            """The link, while another reader selects page 0 from time to time."""
 
             gateway = link.gateway
 
@@ -66,14 +66,14 @@ async def test_readers_who_turn_each_others_pages_read_whole_descriptions() -> N
 
 
 @on_simulated_time
-async def test_a_gateway_without_one_says_so() -> None:
+async def test_the_error_for_a_gateway_without_a_description_says_so() -> None:
     async with unity_link.connect("sim:") as link:
         with pytest.raises(UnsupportedError, match="carries no description: give the spec that it was built from"):
             await unity_link.robot(link)
 
 
 @on_simulated_time
-async def test_one_that_is_damaged_for_good_is_refused() -> None:
+async def test_a_permanently_damaged_description_is_refused() -> None:
     async with unity_link.connect(f"sim:{BALANCER}") as link:
 
         class Damaged:
@@ -137,7 +137,7 @@ async def test_a_description_that_cannot_be_used_is_refused_in_one_sentence(text
 
 
 @on_simulated_time
-async def test_the_page_of_a_described_gateway_is_no_place_to_write() -> None:
+async def test_the_page_address_of_a_described_gateway_cannot_be_written() -> None:
     async with unity_link.connect(f"sim:{BALANCER}") as link:
         with pytest.raises(unity_link.BusError):
             await link.write(page_address(link.gateway.address_bits) + 1, 0)

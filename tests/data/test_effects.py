@@ -1,4 +1,4 @@
-"""Signals with an effect, by their proxies: each event is seen once, and no write touches a neighbour."""
+"""Signals with an effect, through their proxies: each event is returned once, and no write affects a neighbour."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ async def flags(robot: Any) -> tuple[bool, bool, int]:
 
 
 @on_simulated_time
-async def test_what_a_read_clears_is_seen_once_and_a_value_that_is_kept_stays() -> None:
+async def test_a_signal_cleared_by_reads_is_returned_once_and_others_stay() -> None:
     async with unity_link.connect(effects_gateway()) as link:
         robot = Robot(link)
         await robot.make.set(events(seen=0x81, hit=1))
@@ -51,7 +51,7 @@ def noisy(seed: int) -> Gateway:
 
 @pytest.mark.parametrize("seed", range(4))
 @on_simulated_time
-async def test_no_event_is_lost_or_seen_twice_on_a_line_that_loses_answers(seed: int) -> None:
+async def test_no_event_is_lost_or_returned_twice_on_a_line_that_loses_answers(seed: int) -> None:
     chance = random.Random(seed)
     async with unity_link.connect(noisy(seed)) as link:
         robot = Robot(link)
@@ -65,7 +65,7 @@ async def test_no_event_is_lost_or_seen_twice_on_a_line_that_loses_answers(seed:
 
 
 @on_simulated_time
-async def test_a_1_clears_a_bit_and_no_neighbour_without_masked_writes() -> None:
+async def test_a_written_1_clears_only_its_bit_without_masked_writes() -> None:
     async with unity_link.connect(effects_gateway(ALL & ~Feature.MASKED_WRITE)) as link:
         robot = Robot(link)
         await robot.make.set(events(alarm=3, lost=0xFF))
@@ -93,7 +93,7 @@ async def test_a_1_clears_a_bit_and_no_neighbour_without_masked_writes() -> None
     ),
     posted=st.booleans(),
 )
-def test_several_of_one_word_are_written_together_and_clear_what_each_would(
+def test_fields_written_together_clear_the_bits_that_each_would_clear(
     made: int, cleared: dict[str, Any], posted: bool
 ) -> None:
     async def check() -> None:
@@ -111,7 +111,7 @@ def test_several_of_one_word_are_written_together_and_clear_what_each_would(
 
 
 @on_simulated_time
-async def test_a_pulse_beside_a_plain_field_leaves_it_and_is_not_made_by_its_writes() -> None:
+async def test_a_pulse_and_a_plain_field_of_one_word_do_not_affect_each_other() -> None:
     async with unity_link.connect(effects_gateway()) as link:
         robot = Robot(link)
         await robot.mode.set(5)
@@ -123,7 +123,7 @@ async def test_a_pulse_beside_a_plain_field_leaves_it_and_is_not_made_by_its_wri
 
 
 @on_simulated_time
-async def test_what_was_written_to_it_is_not_taken_for_its_value() -> None:
+async def test_a_value_written_to_a_signal_with_an_effect_is_not_stored() -> None:
     async with unity_link.connect(effects_gateway()) as link:
         robot = Robot(link)
         await robot.make.set(events(lost=3))
@@ -135,7 +135,7 @@ async def test_what_was_written_to_it_is_not_taken_for_its_value() -> None:
 
 
 @on_simulated_time
-async def test_what_a_read_clears_is_in_no_group_and_no_sample() -> None:
+async def test_a_signal_cleared_by_reads_is_in_no_group_and_no_sample() -> None:
     sentence = "seen is cleared by each read, and is read by its `get` alone"
     async with unity_link.connect(effects_gateway()) as link:
         robot = Robot(link)
@@ -153,7 +153,7 @@ async def test_what_a_read_clears_is_in_no_group_and_no_sample() -> None:
 
 
 @on_simulated_time
-async def test_a_sample_of_what_a_1_clears_clears_nothing() -> None:
+async def test_a_sample_of_a_signal_cleared_by_a_1_does_not_clear_it() -> None:
     async with unity_link.connect(effects_gateway()) as link:
         robot = Robot(link)
         await robot.make.set(events(alarm=2, lost=7))
@@ -168,7 +168,7 @@ async def test_a_sample_of_what_a_1_clears_clears_nothing() -> None:
 
 
 @on_simulated_time
-async def test_a_gateway_without_queue_commands_refuses_what_a_read_clears_in_a_sentence() -> None:
+async def test_signals_cleared_by_reads_require_queue_commands() -> None:
     async with unity_link.connect(effects_gateway(ALL & ~Feature.QUEUE_COMMANDS)) as link:
         robot = Robot(link)
         await robot.make.set(events(seen=1))
@@ -179,7 +179,7 @@ async def test_a_gateway_without_queue_commands_refuses_what_a_read_clears_in_a_
         assert link.statistics.errors == 0
 
 
-def test_a_blocking_robot_reads_it_once_too() -> None:
+def test_a_blocking_robot_reads_an_event_once_too() -> None:
     with blocking.connect(effects_gateway()) as link:
         robot: Any = put(Robot, link)
         robot.make.set(events(seen=9))

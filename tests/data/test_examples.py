@@ -1,4 +1,4 @@
-"""The examples run by one command each, without hardware."""
+"""Each example runs by one command, without hardware."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_the_scara_goes_through_its_poses() -> None:
     lines = run("scara.py")
     assert lines[0].split()[::3] == ["time", "shoulder", "elbow", "z", "wrist"]
     assert [float(number) for number in lines[-1].split()[1:]] == pytest.approx([0, 0, 0, 0], abs=0.011)
-    # As the last line: a sample that is within 0.01 of where the robot goes is there, and two digits are shown.
+    # As in the last line: a position within 0.01 of the target has arrived, and two digits are printed.
     assert any(float(line.split()[3]) == pytest.approx(120, abs=0.011) for line in lines[1:])
 
 
@@ -47,7 +47,7 @@ def test_the_walker_walks() -> None:
 
 
 @pytest.mark.parametrize("name", ["scara.py", "walker.py"])
-def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
+def test_an_example_without_a_gateway_prints_one_line(name: str) -> None:
     command = [sys.executable, str(EXAMPLES / name), "unix:/nowhere/robot"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     assert (done.returncode, done.stdout) == (1, "")
@@ -58,7 +58,7 @@ def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)
 def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
     shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
-    # By its command: in this process, sockets that the client leaves to the collector would be warnings.
+    # Run the command, because sockets that its client leaves to the garbage collector cause warnings in this process.
     execute = [
         str(Path(sys.executable).with_name("jupyter-execute")),
         "--inplace",
@@ -73,7 +73,7 @@ def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)
-def test_a_notebook_shows_what_it_prints_and_names_no_machine(path: Path) -> None:
+def test_a_notebook_has_its_outputs_and_no_path_of_a_machine(path: Path) -> None:
     assert all(cell["outputs"] for cell in cells(path)[1:-1] if cell["cell_type"] == "code")
     for machine in ("/home", "/root", "/tmp", "/work", "site-packages"):
         assert machine not in path.read_text()

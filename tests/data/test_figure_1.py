@@ -1,4 +1,4 @@
-"""The paper's figure 1, unchanged, gives an object on which all four joints are read, written and published."""
+"""The paper's figure 1, unchanged, gives an object to read, write and subscribe to all four joints."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 Scara = unity_link.load(compile_text(FIGURE_1))
 SET_POINTS = (1200, -700, 345, 2000)
-"""Set points of joints 1 to 4, in counts; within the limits of each."""
+"""Set points of joints 1 to 4, in counts; within the limits of each joint."""
 
 
 ADDRESSES = {"scara": {}, "tosnet": {"ctrl": 0xF0, "comm": 0xF4}}
-"""Addresses of the parameters, by the robot."""
+"""Addresses of the parameters, by robot."""
 
 
 @pytest_asyncio.fixture(
@@ -66,7 +66,7 @@ async def test_each_joint_has_its_own_name_and_samples(robot: LoadedRobot) -> No
 
 
 @pytest.mark.asyncio
-async def test_its_parameters_are_given_where_they_are_needed(robot: LoadedRobot) -> None:
+async def test_an_unknown_or_impossible_parameter_of_a_robot_is_refused(robot: LoadedRobot) -> None:
     Scara(robot.link)
     Scara(robot.link, ctrl=0xF0, comm=0xF4)
     with pytest.raises(unity_link.ArgumentError, match="no parameter 'crtl' to be given: ctrl, comm expected"):
@@ -76,13 +76,13 @@ async def test_its_parameters_are_given_where_they_are_needed(robot: LoadedRobot
 
 
 @pytest.mark.asyncio
-async def test_a_joint_as_a_group_reads_what_can_be_read_and_writes_what_can_be_written(robot: LoadedRobot) -> None:
+async def test_a_group_of_joints_reads_and_writes_the_signals_that_allow_it(robot: LoadedRobot) -> None:
     arm = Group(robot.j1, robot.j2)
     await arm.set({robot.j1.spd_sp: 90_000, robot.j2.spd_sp: 90_000, robot.j1.pos_sp: 40, robot.j2.pos_sp: -40})
     async for sample in arm:
         if (sample.values[robot.j1.cpos], sample.values[robot.j2.cpos]) == (40, -40):
             break
-    # A position is whole a moment before its joint stands still.
+    # The rounded position arrives a moment before its joint has stopped.
     while (values := await arm.get())[robot.j1.spd] or values[robot.j2.spd]:
         pass
     assert dict(values) == {robot.j1.cpos: 40, robot.j1.spd: 0, robot.j2.cpos: -40, robot.j2.spd: 0}

@@ -31,12 +31,12 @@ KINDS = [
     "{}: signed READWRITE(SCALE=0.25, OFFSET=3)",
     "{}: float 64 READWRITE()",
 ]
-"""What stands behind the name of a signal, for its address."""
+"""Declarations of signals after their names, as formats of an address."""
 
 
 @st.composite
 def places(draw: st.DrawFn) -> list[tuple[int, str]]:
-    """Return addresses and kinds of signals, some one behind the other, some with gaps, some in one word."""
+    """Return addresses and declarations of signals, some of them at consecutive addresses, others with gaps."""
     found: list[tuple[int, str]] = []
     address = draw(st.integers(0, 20))
     for kind in draw(st.lists(st.sampled_from(KINDS), min_size=1, max_size=40)):

@@ -1,4 +1,4 @@
-"""Many signals at once: one pipelined batch, whichever robots and gateways they belong to."""
+"""Many signals at once: one pipelined batch, even for several robots and gateways."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ async def test_many_set_points_are_written_in_one_batch_in_order() -> None:
 
 
 @on_simulated_time
-async def test_posted_values_are_not_waited_for_and_a_fence_raises_their_errors() -> None:
+async def test_posted_values_return_at_once_and_a_fence_raises_their_errors() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway, failing=frozenset({0x19}))
     async with unity_link.connect(gateway) as link:
@@ -81,14 +81,16 @@ async def test_posted_values_are_not_waited_for_and_a_fence_raises_their_errors(
         await group.post([1, 2, 3, 4])
         with pytest.raises(BusError, match=r"posted write of tools\[1\].force at 0x19"):
             await link.fence()
-        assert link.statistics.responses == responses + 3, "of the masked write, the error and the fence"
+        assert link.statistics.responses == responses + 3, (
+            "responses to the masked write, the failed write and the fence"
+        )
         assert (bus.words, robot.tools[0].force.value) == ({0x10: 4, 0x12: 2, 0x18: 3}, 3)
         with pytest.raises(ArgumentError, match="outside of its limits"):
             await group.post([11, 0, 0, 0])
 
 
 @on_simulated_time
-async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
+async def test_no_request_is_sent_if_one_value_is_wrong() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with unity_link.connect(gateway) as link:
@@ -106,7 +108,7 @@ async def test_nothing_is_sent_if_one_value_is_wrong() -> None:
 
 
 @on_simulated_time
-async def test_values_that_are_none_are_refused() -> None:
+async def test_invalid_values_of_a_group_are_refused() -> None:
     wrong: tuple[Any, ...] = (5, None)
     async with unity_link.connect(VirtualGateway()) as link:
         group = ROBOT(link).groups["arm"]
@@ -135,7 +137,7 @@ async def test_signals_that_cannot_be_in_a_group_are_named() -> None:
 
 
 @on_simulated_time
-async def test_fields_of_a_group_are_written_as_one_word_where_they_are_all_that_is_written_in_it() -> None:
+async def test_fields_of_a_group_that_fill_a_word_are_written_as_one_word() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with unity_link.connect(gateway) as link:
@@ -143,19 +145,19 @@ async def test_fields_of_a_group_are_written_as_one_word_where_they_are_all_that
         await Group(robot.enable, robot.level).set([True, 5])
         assert (bus.reads, bus.writes) == ([], [(0x10, 0b1011)])
         await Group(robot.level, robot.angle).set([-1, 1])
-        assert sorted(bus.writes[1:]) == [(0x10, 0xFF), (0x12, 2)], "read, and written back with its own bits"
+        assert sorted(bus.writes[1:]) == [(0x10, 0xFF), (0x12, 2)], "the word of the field is read and written back"
         assert bus.reads == [0x10]
 
 
 @on_simulated_time
-async def test_values_of_several_words_are_whole_in_a_group() -> None:
+async def test_values_of_several_words_in_a_group_are_transferred_whole() -> None:
     gateway = VirtualGateway()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
         arm = robot.groups["arm"]
         before = link.statistics.requests
         await arm.set([1, 2, 0xFEDC_BA98_7654_3210])
-        assert link.statistics.requests == before + 3, "one for the word, one masked, one for the block"
+        assert link.statistics.requests == before + 3, "one write of a word, one masked write, one block"
         assert list((await arm.get()).values()) == [1, 2, 0xFEDC_BA98_7654_3210]
         assert robot.clock.value == 0xFEDC_BA98_7654_3210
 
@@ -174,7 +176,7 @@ async def test_a_group_spans_robots_on_several_gateways_and_on_the_same() -> Non
 
 
 @on_simulated_time
-async def test_one_bus_error_is_raised_and_leaves_the_other_writes() -> None:
+async def test_one_bus_error_is_raised_and_the_other_writes_are_done() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway, failing=frozenset({0x12}))
     async with unity_link.connect(gateway) as link:
@@ -187,7 +189,7 @@ async def test_one_bus_error_is_raised_and_leaves_the_other_writes() -> None:
 
 
 @on_simulated_time
-async def test_a_queue_refuses_what_it_would_refuse_of_one_value_and_remembers_what_was_written() -> None:
+async def test_a_queue_checks_each_value_and_stores_the_last_one() -> None:
     kinds = unity_link.load(
         compile_text("""
         enum mode { off, manual }
@@ -219,7 +221,7 @@ async def test_a_queue_refuses_what_it_would_refuse_of_one_value_and_remembers_w
 
 
 @on_simulated_time
-async def test_queues_take_and_give_values_of_their_kind() -> None:
+async def test_queues_are_written_and_read_with_values_of_their_kind() -> None:
     kinds = unity_link.load(
         compile_text("""
         enum mode { off, on }
@@ -251,7 +253,7 @@ async def test_queues_take_and_give_values_of_their_kind() -> None:
         robot.both.on_change(changes.append)
         await robot.both.append([1, -2.5, 4])
         assert queues[0].words == [2, 0xFFFB, 8]
-        assert (robot.both.value, changes) == (4, [4]), "the last one that was written"
+        assert (robot.both.value, changes) == (4, [4]), "the last value that was written"
         for count in (None, "2", 2.0):
             with pytest.raises(ArgumentError, match="a number of words is a whole number, not"):
                 await robot.both.take(count)
@@ -264,11 +266,11 @@ async def test_queues_take_and_give_values_of_their_kind() -> None:
         queues[1].words = [1, 0]
         assert await robot["from"].get() is kinds.enumerations["mode"]["on"]  # type: ignore[attr-defined]
         await robot.to.append(range(300))
-        assert queues[2].words == list(range(300)), "more than one request holds"
+        assert queues[2].words == list(range(300)), "more words than one request holds"
 
 
 @on_simulated_time
-async def test_a_list_is_appended_exactly_where_numpy_makes_floats_of_it() -> None:
+async def test_a_list_of_large_integers_is_appended_exactly() -> None:
     kinds = unity_link.load(
         compile_text("""
         public robot() {
@@ -297,7 +299,7 @@ async def test_a_list_is_appended_exactly_where_numpy_makes_floats_of_it() -> No
 
 
 @on_simulated_time
-async def test_of_a_field_that_two_robots_have_the_last_value_is_written() -> None:
+async def test_the_last_value_of_a_field_that_two_robots_share_is_written() -> None:
     fields = unity_link.load(compile_text("public r() { @low = 1[3:0]: READWRITE(); @high = 1[7:4]: READWRITE(); }"))
     gateway = VirtualGateway()
     async with unity_link.connect(gateway) as link:

@@ -1,4 +1,4 @@
-"""Values of signals with WRAPS count on if their registers go round: in reads, samples, writes, bridges and files."""
+"""Values of signals with WRAPS continue when their registers wrap: in reads, samples, writes, bridges and files."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ public robot() {
 Robot = unity_link.load(SPEC)
 ROUND = 1 << 32
 LAP = (1 << 24) / 100
-"""Millimetres of a round of x."""
+"""Millimetres of one lap of x."""
 
 
 class Plant(SimulatedRobot):
-    """Turns everything at the same speed, in counts a second."""
+    """Turns all wheels at the same speed, in counts per second."""
 
     speed = 0.0
     counts = 0.0
@@ -75,15 +75,15 @@ NARROW = 1 << 16
     lost=st.sets(st.integers(1, 38)),
     sessions=st.sets(st.integers(1, 39)),
 )
-def test_less_than_half_a_round_between_two_samples_is_enough(
+def test_values_continue_with_less_than_half_a_lap_between_samples(
     moves: list[int], cuts: set[int], lost: set[int], sessions: set[int]
 ) -> None:
-    """However samples come together, with those lost that leave less than half a round between the others."""
+    """Samples arrive in any batches; any may be lost if less than half a lap is left between the others."""
     places, epochs, truth = [0], [0], [0]
     for number, move in enumerate(moves):
         places.append(places[-1] + move)
         epochs.append(epochs[-1] + (number in sessions))
-        # A session begins with the register, as after a reset.
+        # A session begins with the value of the register, as after a reset.
         begins = epochs[-1] != epochs[-2]
         truth.append(places[-1] % NARROW if begins else truth[-1] + move)
     kept = [0]
@@ -107,7 +107,7 @@ def test_less_than_half_a_round_between_two_samples_is_enough(
     moves=st.lists(st.integers(-(1 << 31) + 1, (1 << 31) - 1), max_size=20),
     scale=st.sampled_from(["wheel.position", "whole.position"]),
 )
-def test_values_that_are_read_one_by_one_count_on(start: int, moves: list[int], scale: str) -> None:
+def test_values_read_one_by_one_continue_over_wraps(start: int, moves: list[int], scale: str) -> None:
     signal = SPEC.interface().signals[scale]
     laps, place = Laps(signal), start
     step = 0.001 if signal.kind.is_scaled else 1
@@ -122,13 +122,13 @@ def test_values_that_are_read_one_by_one_count_on(start: int, moves: list[int], 
 
 
 @on_simulated_time
-async def test_reads_and_samples_of_a_wheel_go_on_beyond_its_register() -> None:
+async def test_reads_and_samples_of_a_wheel_continue_beyond_its_register() -> None:
     gateway, plant = turning(1.9e9)
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
         state, both = robot.groups["state"], Group(robot.wheel.position, robot.whole.index_position)
         for _ in range(4):
-            # Less than half a round later: 2^31 counts.
+            # The next read is less than half a lap (2^31 counts) later.
             await asyncio.sleep(1)
             assert await robot.wheel.position.get() == pytest.approx(plant.counts / 1000, abs=2e3)
             assert await robot.whole.position.get() == pytest.approx(plant.counts, abs=2e6)
@@ -152,7 +152,7 @@ async def test_reads_and_samples_of_a_wheel_go_on_beyond_its_register() -> None:
 
 
 @on_simulated_time
-async def test_a_reset_of_the_gateway_begins_with_the_register_again() -> None:
+async def test_values_begin_with_the_register_after_a_reset_of_the_gateway() -> None:
     gateway, plant = turning(1.9e9)
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
@@ -178,12 +178,12 @@ async def test_a_reset_of_the_gateway_begins_with_the_register_again() -> None:
             await robot.whole.position.get()
         plant.counts = 2e9
         await asyncio.sleep(0.01)
-        # In the session before, it would have been the value below the register.
+        # In the earlier session the value would have been negative, below the register.
         assert await robot.whole.position.get() == 2_000_000_000
 
 
 @on_simulated_time
-async def test_a_way_across_the_end_of_the_register_is_commanded_and_read() -> None:
+async def test_a_move_across_the_end_of_the_register_is_commanded_and_read() -> None:
     gateway = simulated(SPEC.interface())
     async with unity_link.connect(gateway) as link:
         x: Any = Robot(link).x
@@ -208,7 +208,7 @@ async def test_a_way_across_the_end_of_the_register_is_commanded_and_read() -> N
 
 
 @on_simulated_time
-async def test_joint_states_and_zenoh_samples_are_continuous_over_the_end_of_the_register() -> None:
+async def test_joint_states_and_zenoh_samples_are_continuous_over_a_wrap() -> None:
     gateway, _ = turning(1.0e9, 1.2e9)
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
@@ -228,7 +228,7 @@ async def test_joint_states_and_zenoh_samples_are_continuous_over_the_end_of_the
     assert sent == seen
 
 
-def test_recordings_are_continuous_over_the_end_of_the_register(tmp_path: Path) -> None:
+def test_recordings_are_continuous_over_a_wrap(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
 
     async def record() -> None:

@@ -1,4 +1,4 @@
-"""Errors of the gateway name the signals of the robot, and the reason of a model that has failed."""
+"""Errors of the gateway name the signals of the robot, and the cause in a model that has failed."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ REFUSED: dict[str, tuple[Callable[[Any], Coroutine[Any, Any, Any]], str]] = {
 
 
 @pytest.mark.parametrize("way", REFUSED)
-def test_a_refused_access_is_told_with_the_path_of_its_signal(way: str) -> None:
+def test_the_error_for_a_refused_access_has_the_path_of_its_signal(way: str) -> None:
     gateway = VirtualGateway()
     gateway.attach(Failing(ErrorCode.BUS_ERROR), range(0x10, 0x14))
     use, what = REFUSED[way]
@@ -65,7 +65,7 @@ def test_a_refused_access_is_told_with_the_path_of_its_signal(way: str) -> None:
     asyncio.run(run())
 
 
-def test_an_error_behind_a_model_that_failed_says_so(tmp_path: Path) -> None:
+def test_an_error_after_the_failure_of_a_model_reports_it(tmp_path: Path) -> None:
     spec, model = tmp_path / "rover.ul", tmp_path / "bad.py"
     spec.write_text("public rover() { @duty = 0x10: READWRITE(); }\n")
     model.write_text(
@@ -106,7 +106,7 @@ MISTAKES: dict[str, tuple[Callable[[Any], Any], type[Exception], str]] = {
 
 
 @pytest.mark.parametrize("mistake", MISTAKES)
-def test_what_is_often_tried_is_answered_with_what_to_write(mistake: str) -> None:
+def test_the_error_for_a_common_mistake_shows_the_code(mistake: str) -> None:
     use, kind, text = MISTAKES[mistake]
 
     async def run() -> None:
@@ -118,7 +118,7 @@ def test_what_is_often_tried_is_answered_with_what_to_write(mistake: str) -> Non
     asyncio.run(run())
 
 
-def test_a_signal_that_is_sought_in_a_sample_is_named_by_its_path() -> None:
+def test_the_error_for_a_signal_missing_in_a_sample_has_its_path() -> None:
     async def run() -> None:
         async with unity_link.connect("sim:scara") as link:
             robot = unity_link.load("examples/scara.ul")(link)

@@ -1,4 +1,4 @@
-"""Notebook displays of links, robots, signals, samples and statistics: tables in which all text is text."""
+"""Notebook displays of links, robots, signals, samples and statistics: tables in which all texts are escaped."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HOSTILE = '<script>alert("1")</script> & <img src=x onerror=alert(1)>'
 
 
 class Shown(HTMLParser):
-    """Text of a page as a browser would show it: the tags, and the text of each cell."""
+    """Parses a page as a browser would: the tags, and the text of each cell."""
 
     def __init__(self, page: str) -> None:
         super().__init__()
@@ -57,7 +57,7 @@ class Shown(HTMLParser):
 
     @property
     def cells(self) -> dict[str, list[str]]:
-        """The cells behind the first of each row."""
+        """The cells after the first one of each row, by the text of the first one."""
         return {first: rest for first, *rest in self.rows}
 
 
@@ -66,7 +66,7 @@ def shown(thing: Any) -> Shown:
 
 
 @on_simulated_time
-async def test_each_thing_shows_what_is_known_of_it_and_asks_for_nothing() -> None:
+async def test_each_object_shows_its_known_values_without_a_request() -> None:
     async with unity_link.connect("sim:scara") as link:
         robot = unity_link.load(SPEC)(link)
         await robot.j1.pos_sp.set(30)
@@ -96,7 +96,7 @@ async def test_each_thing_shows_what_is_known_of_it_and_asks_for_nothing() -> No
     assert of_values["j4.cpos"] == ["0", "deg"]
 
 
-def test_blocking_links_and_what_is_put_behind_them_show_the_same() -> None:
+def test_blocking_links_and_their_robots_have_the_same_displays() -> None:
     with blocking.connect("sim:scara") as link:
         robot = put(unity_link.load(SPEC), link)
         robot.j1.pos_sp.set(30)
@@ -108,7 +108,7 @@ def test_blocking_links_and_what_is_put_behind_them_show_the_same() -> None:
 
 
 @given(st.text())
-def test_whatever_stands_in_a_cell_is_shown_as_text(text: str) -> None:
+def test_the_content_of_a_cell_is_escaped(text: str) -> None:
     page = Shown(html.table(text, [(text, HOSTILE)], (HOSTILE, text)))
 
     assert page.tags == {"p", "table", "thead", "tbody", "tr", "th", "td"}
@@ -117,7 +117,7 @@ def test_whatever_stands_in_a_cell_is_shown_as_text(text: str) -> None:
         assert page.rows[1][0] == page.rows[0][1] == page.title == text
 
 
-def test_a_hostile_spec_shows_its_texts_and_a_long_one_their_beginning() -> None:
+def test_texts_of_a_spec_are_escaped_and_long_ones_are_cut() -> None:
     spec = compile_text(f"""
     public robot() {{
       /// {HOSTILE}

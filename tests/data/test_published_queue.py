@@ -1,4 +1,4 @@
-"""A queue that its group's trigger publishes: each word once, in order, and what was lost with a sample counted."""
+"""A queue that its group's trigger publishes: each word once, in order; lost words are counted with the samples."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ Logger = unity_link.load(SPEC)
 
 
 class Queue:
-    """Words 0, -1, -2, ..., made as many as are written; each one that comes triggers the groups."""
+    """A queue of words 0, -1, -2, ...: a write adds as many as its value, and each word triggers the groups."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         self._gateway = gateway
@@ -64,7 +64,7 @@ def logger() -> tuple[VirtualGateway, Queue]:
 
 @settings(max_examples=examples(20))
 @given(bursts=st.lists(st.integers(1, 30), min_size=1, max_size=8), loss=st.sampled_from([0, 0.002]))
-def test_each_word_comes_once_and_in_order_and_lost_ones_are_counted(bursts: list[int], loss: float) -> None:
+def test_each_word_arrives_once_and_in_order_and_lost_ones_are_counted(bursts: list[int], loss: float) -> None:
     async def check() -> None:
         gateway, queue = logger()
         line = NoisyLine(gateway, Noise(1), Noise(2, loss=loss)) if loss else gateway
@@ -85,7 +85,7 @@ def test_each_word_comes_once_and_in_order_and_lost_ones_are_counted(bursts: lis
                         break
                     seen += batch[robot.value].tolist()
                     sequences += [sample.sequence for sample in batch]
-            # A sample has the number of its word, so that those that are missing are those that were lost.
+            # A sample's number is the number of its word, so the missing words are those of lost samples.
             assert seen == [-number for number in sequences]
             assert sequences == sorted(set(sequences))
             if not loss:
@@ -95,12 +95,12 @@ def test_each_word_comes_once_and_in_order_and_lost_ones_are_counted(bursts: lis
     run_simulated(check())
 
 
-def test_a_loop_over_the_port_takes_the_words_and_what_cannot_be_is_refused() -> None:
+def test_a_loop_over_the_port_returns_the_words_and_wrong_uses_are_refused() -> None:
     async def check() -> None:
         gateway, _ = logger()
         async with unity_link.connect(gateway) as link:
             robot = Logger(link)
-            # Where no group runs, the level says how many words there are.
+            # While no group runs, the level is the number of words in the queue.
             await robot.make.set(7)
             assert (await robot.value.take(await robot.level.get())).tolist() == [-number for number in range(7)]
             asyncio.get_running_loop().call_later(0.1, lambda: asyncio.ensure_future(robot.make.set(40)))
@@ -148,7 +148,7 @@ int main(int count, char **arguments)
 
 
 @pytest.mark.slow
-def test_a_client_in_c_takes_each_word_once_and_in_order(tmp_path: Path) -> None:
+def test_a_client_in_c_receives_each_word_once_and_in_order(tmp_path: Path) -> None:
     (tmp_path / "program.c").write_text(PROGRAM)
     files = [path for path in generated("c", SPEC, tmp_path) if path.suffix == ".c"]
     objects = compiled(C, [*files, tmp_path / "program.c"], tmp_path, *SANITIZED)

@@ -1,4 +1,4 @@
-"""Samples of groups: published by the gateway, or polled by the host; as values, one by one and in batches."""
+"""Samples of groups, published by the gateway or polled by the host; as values, one by one and in batches."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def tasks_of_feeds() -> list[str]:
 
 
 @on_simulated_time
-async def test_iteration_gives_each_value_that_the_group_publishes() -> None:
+async def test_iteration_returns_each_value_that_the_group_publishes() -> None:
     gateway = counting()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -89,11 +89,11 @@ async def test_iteration_gives_each_value_that_the_group_publishes() -> None:
                 break
         assert seen == list(range(1, 51))
         assert robot.count.value >= 50
-        assert robot.time.value == 0, "all of the group are seen"
+        assert robot.time.value == 0, "the value of each signal of the group is stored"
 
 
 @on_simulated_time
-async def test_the_gateway_is_asked_once_however_many_listen_and_told_when_the_last_has_left() -> None:
+async def test_the_gateway_publishes_once_for_all_listeners_until_the_last_leaves() -> None:
     gateway = counting()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -114,12 +114,12 @@ async def test_the_gateway_is_asked_once_however_many_listen_and_told_when_the_l
         assert not tasks_of_feeds()
         samples = link.statistics.samples
         await asyncio.sleep(1)
-        assert link.statistics.samples == samples, "nothing is published to nobody"
-        assert len(await first(3)) == 3, "and the next one begins again"
+        assert link.statistics.samples == samples, "no sample is published without a listener"
+        assert len(await first(3)) == 3, "the next listener starts the samples again"
 
 
 @on_simulated_time
-async def test_leaving_and_coming_back_at_once_loses_nobody() -> None:
+async def test_ending_a_loop_and_starting_another_at_once_loses_no_listener() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         for _ in range(20):
@@ -128,7 +128,7 @@ async def test_leaving_and_coming_back_at_once_loses_nobody() -> None:
 
 
 @on_simulated_time
-async def test_what_nothing_publishes_is_not_iterated_over() -> None:
+async def test_an_unpublished_signal_cannot_be_iterated_over() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         message = "nothing says when silent is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
@@ -140,7 +140,7 @@ async def test_what_nothing_publishes_is_not_iterated_over() -> None:
 
 
 @on_simulated_time
-async def test_on_change_has_published_signals_published() -> None:
+async def test_on_change_starts_the_samples_of_published_signals() -> None:
     gateway = counting()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -160,7 +160,7 @@ async def test_on_change_has_published_signals_published() -> None:
 
 
 @on_simulated_time
-async def test_a_slow_loop_is_told_that_it_lost_samples_and_takes_nothing_from_others() -> None:
+async def test_a_slow_loop_raises_for_lost_samples_and_does_not_affect_others() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
 
@@ -192,7 +192,7 @@ async def test_a_slow_loop_is_told_that_it_lost_samples_and_takes_nothing_from_o
     st.integers(1, 12),
     st.integers(1, 4),
 )
-def test_whatever_a_listener_drops_is_told_in_lost(
+def test_samples_that_a_listener_drops_are_counted_in_lost(
     batches: list[tuple[str, list[int]]], buffer: int, every: int
 ) -> None:
     @on_simulated_time
@@ -229,7 +229,7 @@ def test_whatever_a_listener_drops_is_told_in_lost(
 
 
 @on_simulated_time
-async def test_a_slow_loop_that_wants_the_newest_samples_gets_the_buffer_and_is_told_what_it_missed() -> None:
+async def test_a_slow_loop_with_drop_oldest_gets_the_newest_samples_and_lost() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         samples = robot.groups["state"].samples(buffer=5, overflow="drop_oldest")
@@ -261,7 +261,7 @@ async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batc
         state = robot.groups["state"]
         with state.on_sample(picky):
             await asyncio.sleep(0.2)
-            # The host is busy, so that many come together.
+            # The host is busy, so many samples arrive together.
             await link.read_many([0x15] * 500)
             await asyncio.sleep(0.2)
         for listen in (state.on_sample, state.on_batch):
@@ -273,7 +273,7 @@ async def test_a_callback_that_raises_for_one_sample_gets_the_others_of_its_batc
 
 
 @on_simulated_time
-async def test_samples_that_are_taken_late_do_not_take_the_place_of_a_newer_value(
+async def test_samples_taken_late_do_not_replace_a_newer_value(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     loop = asyncio.get_running_loop()
@@ -291,7 +291,7 @@ async def test_samples_that_are_taken_late_do_not_take_the_place_of_a_newer_valu
             assert batch[robot.time].tolist() == [0] * len(batch)
             for signal in (robot.silent, robot.time):
                 assert (signal.value, signal.age) == (3, 0)
-            assert robot.count.value == batch[robot.count][-1], "of which nothing newer is known"
+            assert robot.count.value == batch[robot.count][-1], "no newer value is known"
             await Group(robot.silent, robot.time).set([4, 4])
             await asyncio.sleep(0.1)
             batch = await samples.take()
@@ -300,7 +300,7 @@ async def test_samples_that_are_taken_late_do_not_take_the_place_of_a_newer_valu
 
 
 @on_simulated_time
-async def test_no_change_is_passed_over_where_the_program_is_held_up_between_two_looks_at_clocks(
+async def test_no_change_is_missed_if_the_program_is_delayed_between_clock_reads(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     loop = asyncio.get_running_loop()
@@ -327,7 +327,7 @@ async def test_no_change_is_passed_over_where_the_program_is_held_up_between_two
 
 
 @on_simulated_time
-async def test_of_two_subscriptions_the_newer_samples_count_whichever_is_read_last() -> None:
+async def test_the_newer_sample_of_two_subscriptions_sets_the_value() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         group = Group(robot.count)
@@ -341,7 +341,7 @@ async def test_of_two_subscriptions_the_newer_samples_count_whichever_is_read_la
 
 @on_simulated_time
 @pytest.mark.parametrize("kind", ["on_sample", "on_batch"])
-async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_samples(kind: str) -> None:
+async def test_a_callback_cancelled_by_another_is_not_called_for_these_samples(kind: str) -> None:
     async with unity_link.connect(counting()) as link:
         state = ROBOT(link).groups["state"]
         seen: list[object] = []
@@ -354,7 +354,7 @@ async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_sa
 
 
 @on_simulated_time
-async def test_a_callback_that_cancels_itself_is_not_called_for_the_rest_of_a_batch() -> None:
+async def test_a_callback_that_cancels_itself_is_not_called_again_for_a_batch() -> None:
     async with unity_link.connect(counting()) as link:
         state = ROBOT(link).groups["state"]
         seen: list[GroupSample] = []
@@ -372,7 +372,7 @@ async def test_a_callback_that_cancels_itself_is_not_called_for_the_rest_of_a_ba
 
 
 @pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
-def test_numbers_of_numpy_are_taken_for_what_they_are(info: GatewayInfo) -> None:
+def test_numpy_numbers_are_accepted_as_options(info: GatewayInfo) -> None:
     numbers: Any = np
 
     @on_simulated_time
@@ -393,7 +393,7 @@ def test_numbers_of_numpy_are_taken_for_what_they_are(info: GatewayInfo) -> None
 
 
 @on_simulated_time
-async def test_a_loop_that_could_keep_no_samples_is_refused() -> None:
+async def test_wrong_buffer_options_of_a_loop_are_refused() -> None:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"buffer": 0}, "a buffer of 0 samples was asked for, at least 1 is needed"),
         ({"buffer": 2.5}, "a buffer is a number of samples, not 2.5"),
@@ -408,7 +408,7 @@ async def test_a_loop_that_could_keep_no_samples_is_refused() -> None:
 
 
 @pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
-def test_what_no_subscription_of_a_group_can_have_is_refused_whoever_reads(info: GatewayInfo) -> None:
+def test_wrong_options_of_a_subscription_are_refused_for_each_reader(info: GatewayInfo) -> None:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"rate_hz": "5"}, "a rate is a number of Hz, not '5'"),
         ({"rate_hz": 0}, "a rate of 0 Hz was asked for, expected"),
@@ -440,7 +440,7 @@ def test_what_no_subscription_of_a_group_can_have_is_refused_whoever_reads(info:
 
 
 @on_simulated_time
-async def test_a_lost_link_ends_every_iteration_and_tells_callbacks(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_lost_link_ends_every_iteration_and_is_logged_for_callbacks(caplog: pytest.LogCaptureFixture) -> None:
     gateway = Valve(counting())
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -482,7 +482,7 @@ async def test_closing_the_link_ends_iterations_and_callbacks_quietly(caplog: py
 
 
 @on_simulated_time
-async def test_samples_go_on_after_a_reconnection() -> None:
+async def test_samples_continue_after_a_reconnection() -> None:
     async with unity_link.connect(counting(), reconnect=True) as link:
         robot = ROBOT(link)
 
@@ -508,7 +508,7 @@ async def test_samples_go_on_after_a_reconnection() -> None:
 
 
 @on_simulated_time
-async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_another() -> None:
+async def test_a_declared_group_has_a_schedule_that_a_program_may_override() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         state = robot.groups["state"]
@@ -530,7 +530,7 @@ async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_an
         async with robot.groups["fast"].subscribe(rate_hz=1000) as samples:
             assert samples.rate_hz == 1000
         async with Group(robot.count, robot.time).subscribe() as samples:
-            assert samples.rate_hz == 100, "both are of one group"
+            assert samples.rate_hz == 100, "both signals belong to one group"
 
 
 @on_simulated_time
@@ -548,7 +548,7 @@ async def test_options_add_to_the_schedule_of_the_spec() -> None:
 
 
 @pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
-def test_a_sample_can_be_asked_for_in_between(info: GatewayInfo) -> None:
+def test_a_sample_can_be_requested_between_others(info: GatewayInfo) -> None:
     @on_simulated_time
     async def check() -> None:
         loop = asyncio.get_running_loop()
@@ -593,7 +593,7 @@ async def test_a_batch_has_a_column_for_each_signal() -> None:
 
 
 @on_simulated_time
-async def test_samples_and_batches_can_be_called_back_with() -> None:
+async def test_callbacks_receive_samples_or_batches() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         samples: list[GroupSample] = []
@@ -609,7 +609,7 @@ async def test_samples_and_batches_can_be_called_back_with() -> None:
 
 @on_simulated_time
 @pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
-async def test_a_loop_that_is_slower_than_its_group_gets_the_latest_sample_alone(info: GatewayInfo) -> None:
+async def test_a_loop_slower_than_its_group_gets_only_the_latest_sample(info: GatewayInfo) -> None:
     gateway = VirtualGateway(info)
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -621,7 +621,7 @@ async def test_a_loop_that_is_slower_than_its_group_gets_the_latest_sample_alone
                 gateway.memory[0x10] = value
                 await asyncio.sleep(0.03)
                 assert (await anext(samples)).values[robot.count] == value
-            # What was not polled has not arrived.
+            # A sample that was not polled has not arrived.
             assert samples.received - (samples.lost if info is INFO else 0) == 6
             assert samples.lost > 100
 
@@ -661,7 +661,7 @@ async def test_the_host_polls_at_the_rate_of_the_spec() -> None:
                 break
         assert loop.time() - began == pytest.approx(2, abs=0.06)
         assert values == list(range(1, 42))
-        assert robot.mode.value is ROBOT.enumerations["mode"]["on"], "all of one rate are read together"
+        assert robot.mode.value is ROBOT.enumerations["mode"]["on"], "all signals of one rate are read together"
 
 
 @on_simulated_time
@@ -688,7 +688,7 @@ async def test_a_gateway_without_groups_is_polled_at_their_rates() -> None:
 
 
 class Refusing(CountingDevice):
-    """A device that counts its reads, while it does not refuse them."""
+    """A device that counts its reads, and refuses them while `is_away` is set."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -701,7 +701,7 @@ class Refusing(CountingDevice):
 
 
 @on_simulated_time
-async def test_callbacks_wait_for_the_next_turn_where_a_polled_read_is_refused(
+async def test_callbacks_wait_for_the_next_poll_after_a_refused_read(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     gateway, device = VirtualGateway(INFO), Refusing()
@@ -727,7 +727,7 @@ async def test_callbacks_wait_for_the_next_turn_where_a_polled_read_is_refused(
 
 
 @on_simulated_time
-async def test_a_loop_is_told_of_a_polled_read_that_is_refused_and_another_one_begins_anew(
+async def test_a_loop_raises_for_a_refused_poll_and_another_loop_can_start(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     gateway, device = VirtualGateway(INFO), Refusing()
@@ -760,7 +760,7 @@ async def test_a_loop_is_told_of_a_polled_read_that_is_refused_and_another_one_b
 
 
 @on_simulated_time
-async def test_callbacks_wait_for_a_shared_gateway_that_is_away_and_a_loop_is_told(
+async def test_callbacks_wait_for_an_absent_shared_gateway_and_a_loop_raises(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     gateway = Valve(counting())
@@ -789,7 +789,7 @@ async def test_callbacks_wait_for_a_shared_gateway_that_is_away_and_a_loop_is_to
 
 
 @on_simulated_time
-async def test_loops_and_callbacks_go_on_where_the_gateway_is_reset(caplog: pytest.LogCaptureFixture) -> None:
+async def test_loops_and_callbacks_continue_after_a_reset_of_the_gateway(caplog: pytest.LogCaptureFixture) -> None:
     gateway = counting()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -823,7 +823,7 @@ async def test_a_polled_group_can_wait_for_changes() -> None:
 
 
 @on_simulated_time
-async def test_what_was_polled_when_a_reader_was_cancelled_is_given_to_the_next() -> None:
+async def test_samples_polled_for_a_cancelled_reader_reach_the_next_one() -> None:
     async with unity_link.connect(counting(WITHOUT_GROUPS)) as link:
         robot = ROBOT(link)
         async with robot.groups["state"].subscribe(overflow="fail") as samples:
@@ -839,7 +839,7 @@ async def test_what_was_polled_when_a_reader_was_cancelled_is_given_to_the_next(
 
 @on_simulated_time
 @pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
-async def test_what_is_taken_behind_one_sample_of_a_batch_begins_with_the_others(info: GatewayInfo) -> None:
+async def test_take_after_one_sample_of_a_batch_returns_the_others_first(info: GatewayInfo) -> None:
     async with unity_link.connect(counting(info)) as link:
         robot = ROBOT(link)
         async with robot.groups["state"].subscribe() as samples:
@@ -855,7 +855,7 @@ async def test_what_is_taken_behind_one_sample_of_a_batch_begins_with_the_others
 
 
 @on_simulated_time
-async def test_a_change_is_told_once_where_samples_are_taken_behind_one_of_a_batch() -> None:
+async def test_a_change_is_reported_once_by_take_after_one_sample_of_a_batch() -> None:
     gateway = counting()
     gateway.attach(CountingDevice(), [0x15])
     async with unity_link.connect(gateway) as link:
@@ -891,7 +891,7 @@ async def test_a_polled_read_that_is_cancelled_is_a_lost_sample() -> None:
 
 
 @on_simulated_time
-async def test_taking_behind_the_end_of_a_group_of_two_gateways_leaves_no_task(
+async def test_take_after_the_end_of_a_group_of_two_gateways_leaves_no_task(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with unity_link.connect(counting()) as left, unity_link.connect(counting()) as right:
@@ -908,7 +908,7 @@ async def test_taking_behind_the_end_of_a_group_of_two_gateways_leaves_no_task(
 
 
 @on_simulated_time
-async def test_a_callback_where_no_event_loop_runs_is_refused_in_a_sentence() -> None:
+async def test_a_callback_without_a_running_event_loop_is_refused() -> None:
     async with unity_link.connect(counting()) as link:
         robot = ROBOT(link)
         state = robot.groups["state"]

@@ -1,4 +1,4 @@
-"""Samples as tables of numpy, pandas and polars: the same columns, units and instants in each, live and recorded."""
+"""Samples as tables of numpy, pandas and polars: the same columns, units and instants, live and recorded."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ public robot() {
 
 @functools.cache
 def robot_of(bits: int | None) -> Robot:
-    """Return the robot of every kind of signal in words of so many bits, or that of this file, whose link is closed."""
+    """Return a robot with every kind of signal in words of `bits` bits, or that of this file; its link is closed."""
 
     async def open_and_close() -> Robot:
         spec = SPEC if bits is None else every_kind(bits)
@@ -86,7 +86,7 @@ ROWS = [[3, 7, 7], [0xFFFF_FFFF, 1, 0], [4, 2, 2]]
 @pytest.mark.parametrize("bits", [16, 32, 64])
 @settings(max_examples=examples(30))
 @given(data=st.data())
-def test_all_three_libraries_have_what_the_samples_have_one_by_one(bits: int, data: st.DataObject) -> None:
+def test_tables_of_all_three_libraries_have_the_values_of_the_samples(bits: int, data: st.DataObject) -> None:
     words = st.lists(st.integers(0, (1 << bits) - 1), min_size=1, max_size=40)
     rows = data.draw(st.lists(words, min_size=1, max_size=3))
     batch = batch_of(robot_of(bits), rows, [float(number) for number in range(len(rows))])
@@ -102,7 +102,7 @@ def test_all_three_libraries_have_what_the_samples_have_one_by_one(bits: int, da
             np.testing.assert_array_equal(column, np.array(slow, array[proxy.path].dtype))
 
 
-def test_columns_are_paths_and_a_name_that_the_table_has_itself_gets_a_line_behind_it() -> None:
+def test_columns_are_paths_and_reserved_names_get_an_underscore() -> None:
     batch = batch_of(robot_of(None), ROWS)
 
     frame = batch.to_pandas(counts=True)
@@ -117,14 +117,14 @@ def test_columns_are_paths_and_a_name_that_the_table_has_itself_gets_a_line_behi
 
 
 @given(st.lists(st.sampled_from(["a", "a_", "a__", "b", "lost", "lost_"]), unique=True))
-def test_columns_have_names_of_their_own_and_keep_those_that_are_free(paths: list[str]) -> None:
+def test_column_names_are_unique_and_change_only_if_they_are_taken(paths: list[str]) -> None:
     names = column_names(paths, ["lost", "a"])
 
     assert len({*names, "lost", "a"}) == len(names) + 2
     assert all(name == path for name, path in zip(names, paths, strict=True) if path not in ("lost", "a"))
 
 
-def test_units_and_names_of_enumerations_come_along_where_the_library_keeps_them() -> None:
+def test_tables_have_units_and_names_of_enumerations_if_the_library_can() -> None:
     batch = batch_of(robot_of(None), ROWS)
 
     frame = batch.to_pandas()
@@ -135,7 +135,7 @@ def test_units_and_names_of_enumerations_come_along_where_the_library_keeps_them
     assert batch.table.units == {"time_": "deg"}
 
 
-def test_seconds_are_those_of_the_gateway_and_utc_those_of_the_quickest_sample() -> None:
+def test_utc_times_are_based_on_the_sample_with_the_shortest_delay() -> None:
     batch = batch_of(robot_of(None), ROWS, times=[50.0, 51.0, 52.0], arrived=[1000.5, 1001.25, 1002.5])
 
     assert batch.to_pandas().index.tolist() == [50.0, 51.0, 52.0]
@@ -146,7 +146,7 @@ def test_seconds_are_those_of_the_gateway_and_utc_those_of_the_quickest_sample()
     assert batch.to_numpy(time="utc")["time"][0] == np.datetime64("1970-01-01T00:16:40.25")
 
 
-def test_without_timestamps_seconds_never_go_back_where_the_clock_of_the_machine_is_set() -> None:
+def test_seconds_without_timestamps_never_go_back_if_the_clock_is_set() -> None:
     batch = batch_of(robot_of(None), ROWS, arrived=[5000.0, 5001.0, 1000.0])
 
     seconds = batch.to_numpy()["time"]
@@ -169,7 +169,7 @@ def test_a_frame_is_a_copy() -> None:
     assert batch["lost"].tolist() == [7, 1, 2]
 
 
-def test_groups_of_the_spec_and_of_the_program_come_as_tables() -> None:
+def test_groups_of_the_spec_and_of_the_program_have_tables() -> None:
     async def take() -> tuple[Batch, Batch]:
         async with unity_link.connect(VirtualGateway()) as link:
             robot = unity_link.load(SPEC)(link)
@@ -185,7 +185,7 @@ def test_groups_of_the_spec_and_of_the_program_come_as_tables() -> None:
     assert np.all(np.diff(own.to_numpy()["time"]) > 0)
 
 
-def test_signals_of_two_robots_with_the_same_path_are_no_table() -> None:
+def test_signals_of_two_robots_with_the_same_path_cannot_be_a_table() -> None:
     async def take() -> Batch:
         async with unity_link.connect(VirtualGateway()) as link:
             first, second = (unity_link.load(SPEC)(link) for _ in range(2))
@@ -197,7 +197,7 @@ def test_signals_of_two_robots_with_the_same_path_are_no_table() -> None:
 
 
 @pytest.mark.parametrize("library", ["pandas", "polars"])
-def test_a_library_that_is_missing_is_told_with_its_extra(library: str) -> None:
+def test_the_error_for_a_missing_library_names_its_extra(library: str) -> None:
     script = f"""
 import sys
 sys.modules[{library!r}] = None
@@ -216,7 +216,7 @@ except Exception as error:
     assert result.stdout.strip() == said
 
 
-def test_neither_library_is_imported_before_it_is_asked_for() -> None:
+def test_pandas_and_polars_are_imported_only_when_they_are_used() -> None:
     script = "import sys, unity_link.data, unity_link.bridges.recording; print({'pandas', 'polars'} & {*sys.modules})"
     result = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60, check=True)
     assert result.stdout.strip() == "set()"
@@ -232,7 +232,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
-def test_a_recorded_group_is_the_table_that_is_exported(recorded: Path, tmp_path: Path) -> None:
+def test_a_recorded_group_has_the_table_of_the_export(recorded: Path, tmp_path: Path) -> None:
     (file,) = export(Recording(recorded), "parquet", tmp_path)
     exported = parquet.read_table(file).to_pandas()
 
@@ -257,14 +257,14 @@ def test_samples_without_timestamps_have_the_seconds_of_utc(tmp_path: Path) -> N
     assert math.isclose(seconds[0], table.to_pandas(time="utc").index[0].timestamp(), abs_tol=1e-6)
 
 
-def test_a_group_that_was_not_recorded_is_told_with_the_nearest(recorded: Path) -> None:
+def test_the_error_for_a_group_without_a_recording_suggests_the_nearest(recorded: Path) -> None:
     with pytest.raises(UnknownNameError, match=r"run\.mcap has no group 'sttae': did you mean 'state'\?$"):
         Recording(recorded)["sttae"]
     with pytest.raises(UnknownNameError, match=r"^the table has no column 'j1\.cpso': did you mean 'j1\.cpos'"):
         Recording(recorded)["state"]["j1.cpso"]
 
 
-def test_an_export_has_columns_of_their_own_where_a_signal_is_called_as_one(tmp_path: Path) -> None:
+def test_an_export_has_unique_columns_if_a_signal_has_a_reserved_name(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
 
     async def run() -> None:

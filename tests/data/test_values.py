@@ -1,4 +1,4 @@
-"""One signal as a typed value: read, written, remembered, watched."""
+"""One signal as a typed value: read, write, stored value, and callbacks."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ def values_of(signal: Signal) -> st.SearchStrategy[Value]:
 
 @pytest.mark.slow
 @given(st.sampled_from(WORD_BITS), st.data())
-def test_any_value_of_any_kind_survives_write_and_read(word_bits: int, data: st.DataObject) -> None:
+def test_values_of_any_kind_are_read_as_they_were_written(word_bits: int, data: st.DataObject) -> None:
     kind = KINDS[word_bits]
     signals = kind.interface.signals
     paths = [path for path, signal in signals.items() if signal.access is Access.READWRITE]
     chosen = data.draw(st.lists(st.sampled_from(paths), min_size=1, max_size=5, unique=True))
     values = {path: data.draw(values_of(signals[path])) for path in chosen}
-    # A limit need not be a value that there is: it goes to the nearest.
+    # A limit need not be representable: it is replaced by the nearest representable value.
     exact = {path: signals[path].decode(signals[path].encode(value)) for path, value in values.items()}
 
     @on_simulated_time
@@ -89,7 +89,7 @@ def test_any_value_of_any_kind_survives_write_and_read(word_bits: int, data: st.
 
 
 @on_simulated_time
-async def test_a_field_leaves_the_other_bits_of_its_word_alone() -> None:
+async def test_a_write_of_a_field_does_not_change_the_other_bits_of_its_word() -> None:
     gateway = VirtualGateway()
     gateway.memory[0x10] = 0xABCDEF00
     async with unity_link.connect(gateway) as link:
@@ -107,7 +107,7 @@ async def test_a_field_needs_a_gateway_with_masked_writes() -> None:
         robot = ROBOT(link)
         with pytest.raises(UnsupportedError, match="without masked write"):
             await robot.enable.set(True)
-        # All that is written in a word can be written at once.
+        # A group may write all fields of a word at once.
         await Group(robot.enable, robot.level).set([True, 3])
         assert await robot.level.get() == 3
 
@@ -125,7 +125,7 @@ async def test_a_value_of_several_words_is_read_and_written_in_one_transaction()
 
 
 @on_simulated_time
-async def test_limits_are_checked_before_anything_is_sent() -> None:
+async def test_limits_are_checked_before_a_request_is_sent() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with unity_link.connect(gateway) as link:
@@ -145,7 +145,7 @@ async def test_limits_are_checked_before_anything_is_sent() -> None:
 
 
 @on_simulated_time
-async def test_an_enumeration_reads_as_its_members_and_is_written_by_them_or_their_names() -> None:
+async def test_an_enumeration_is_read_as_members_and_written_as_members_or_names() -> None:
     gateway = VirtualGateway()
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
@@ -162,7 +162,7 @@ async def test_an_enumeration_reads_as_its_members_and_is_written_by_them_or_the
 
 
 @on_simulated_time
-async def test_a_proxy_remembers_the_last_value_seen_and_its_age(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_proxy_stores_the_last_known_value_and_its_age(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("time.monotonic", lambda: asyncio.get_running_loop().time())
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
@@ -170,7 +170,7 @@ async def test_a_proxy_remembers_the_last_value_seen_and_its_age(monkeypatch: py
         assert (angle.value, angle.age) == (None, math.inf)
         assert repr(angle) == "<angle: never seen>"
         await angle.set(2.6)
-        assert angle.value == 2.5, "the nearest one that there is"
+        assert angle.value == 2.5, "the nearest representable value"
         await asyncio.sleep(3)
         assert angle.age == pytest.approx(3, abs=0.1)
         await link.write(0x12, 4)
@@ -203,7 +203,7 @@ async def test_errors_of_the_bus_are_those_of_the_link() -> None:
 
 
 @on_simulated_time
-async def test_a_callback_hears_of_each_change_that_is_seen() -> None:
+async def test_a_callback_is_called_for_each_observed_change() -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         seen: list[float] = []
@@ -224,7 +224,7 @@ async def test_a_callback_hears_of_each_change_that_is_seen() -> None:
 
 
 @on_simulated_time
-async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_change() -> None:
+async def test_a_callback_cancelled_by_another_is_not_called_for_this_change() -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         seen: list[float] = []
@@ -236,7 +236,7 @@ async def test_a_callback_that_another_one_cancels_is_not_called_for_the_same_ch
 
 
 @on_simulated_time
-async def test_a_callback_that_raises_is_logged_and_stops_nobody(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_callback_that_raises_is_logged_and_does_not_affect_others(caplog: pytest.LogCaptureFixture) -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         seen: list[float] = []
@@ -250,7 +250,7 @@ async def test_a_callback_that_raises_is_logged_and_stops_nobody(caplog: pytest.
 
 
 @on_simulated_time
-async def test_a_callback_that_asks_a_cancelled_task_for_its_result_stops_nobody(
+async def test_a_callback_that_raises_cancelled_error_does_not_affect_others(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with unity_link.connect(VirtualGateway()) as link:
@@ -273,7 +273,7 @@ async def test_a_callback_that_asks_a_cancelled_task_for_its_result_stops_nobody
 
 
 @on_simulated_time
-async def test_a_callback_that_raises_again_and_again_is_told_once_for_each_type(
+async def test_a_callback_that_keeps_raising_is_logged_once_for_each_type(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with unity_link.connect(VirtualGateway()) as link:
@@ -292,7 +292,7 @@ class Asynchronous:
 
 
 @on_simulated_time
-async def test_an_asynchronous_callback_is_refused_or_told(caplog: pytest.LogCaptureFixture) -> None:
+async def test_an_asynchronous_callback_is_refused_or_logged(caplog: pytest.LogCaptureFixture) -> None:
     async with unity_link.connect(VirtualGateway()) as link:
         robot = ROBOT(link)
         message = "a callback of angle is an asynchronous function, which would never be awaited: a plain function"
@@ -314,14 +314,14 @@ async def test_signals_are_found_by_path_and_id_and_by_attributes() -> None:
         with pytest.raises(ArgumentError, match="no signal 'the mod': did you mean"):
             robot["the mod"]
         assert robot.class_.path == "class"
-        # The robot's own `signals` are all of them.
+        # `robot.signals` is the list of all signals.
         assert robot.signals__.path == "signals"
         assert robot.signals_.path == "signals_"
         assert len(robot.signals) == len(ROBOT.interface.signals)
         assert (type(robot.actual), type(robot.command), type(robot.angle)) == (Readable, Writable, ReadWrite)
 
 
-def test_what_a_spec_needs_is_imported_when_a_spec_is_loaded() -> None:
+def test_modules_for_specs_are_imported_when_a_spec_is_loaded() -> None:
     program = (
         "import sys, unity_link; early = {'lark', 'unity_link.data', 'unity_link.spec'} & set(sys.modules);"
         "import unity_link.data; assert not early and 'lark' not in sys.modules, early"
@@ -349,13 +349,13 @@ def test_a_gateway_of_other_widths_is_refused(info: GatewayInfo, message: str) -
 
 
 def generated_from(spec: Spec) -> VirtualGateway:
-    """Return a gateway that says of itself what a design says that was generated from a spec."""
+    """Return a gateway that reports the fingerprint of a spec, as if it was generated from that spec."""
     features = GatewayInfo().features | Feature.FINGERPRINT
     return VirtualGateway(GatewayInfo(features=features, build_id=spec.interface().fingerprint))
 
 
 @on_simulated_time
-async def test_a_gateway_that_was_generated_from_another_spec_is_refused_by_naming_both_maps() -> None:
+async def test_the_error_for_a_gateway_of_another_spec_names_both_maps() -> None:
     ours, other = compile_text("public robot() { @x = 1: READ(); }"), compile_text("public robot() { @x = 2: READ(); }")
     async with unity_link.connect(generated_from(ours)) as link:
         assert await unity_link.load(ours)(link).x.get() == 0
@@ -371,7 +371,7 @@ async def test_a_build_identifier_that_is_no_fingerprint_is_not_compared() -> No
 
 
 @on_simulated_time
-async def test_signals_and_parts_are_not_assigned_to() -> None:
+async def test_assignments_to_signals_and_parts_are_refused() -> None:
     spec = compile_text("""
     public rover() { left: wheel() @(0x10); legs[2]: wheel() @(0x20 + 2 * i); }
     wheel(): @(base) { @duty = base: READWRITE(); @speed = base + 1: READ(); }
@@ -395,7 +395,7 @@ async def test_signals_and_parts_are_not_assigned_to() -> None:
 
 
 @on_simulated_time
-async def test_a_robot_of_ones_own_has_the_attributes_that_its_class_declares() -> None:
+async def test_a_subclass_of_robot_has_the_attributes_that_it_declares() -> None:
     class Own(ROBOT):  # type: ignore[misc, valid-type]  # made at run time
         gain: float = 1.0
         offset: float
@@ -409,7 +409,7 @@ async def test_a_robot_of_ones_own_has_the_attributes_that_its_class_declares() 
 
 
 @on_simulated_time
-async def test_a_value_beyond_limits_and_bits_is_told_the_limits() -> None:
+async def test_the_error_for_a_value_beyond_limits_and_bits_has_the_limits() -> None:
     spec = compile_text("public rover() { @duty = 0x10: signed 12 READWRITE(MIN=-1, MAX=1, SCALE=0.00048852); }")
     async with unity_link.connect("sim:") as link:
         duty = unity_link.load(spec)(link)["duty"]

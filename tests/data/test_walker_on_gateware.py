@@ -1,4 +1,4 @@
-"""The walking robot walks behind the gateware as behind the model of it, on simulated time."""
+"""The walking robot walks with the gateware as with the model, on simulated time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 PATH = Path(__file__).parents[2] / "examples" / "walker.py"
 CLOSE = 0.05
-"""Rad."""
+"""Largest difference of an angle, in radians."""
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def example(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 
 
 def gait(example: ModuleType, url: str) -> tuple[Any, Any]:
-    """Walk; return the instants of the samples from the first one on, and the positions of all joints."""
+    """Walk; return the instants of the samples relative to the first one, and the positions of all joints."""
     batches = run_simulated(example.walk(url)).batches
     positions = [signal for signal in batches[0].proxies if signal.path.endswith(".cpos")]
     times = np.concatenate([batch.time for batch in batches])
@@ -37,11 +37,11 @@ def gait(example: ModuleType, url: str) -> tuple[Any, Any]:
 
 
 @pytest.mark.rtl
-def test_the_gait_on_the_gateware_is_that_on_the_model_and_no_sample_is_lost(example: ModuleType) -> None:
+def test_the_gait_on_the_gateware_equals_that_on_the_model_without_a_loss(example: ModuleType) -> None:
     times, angles = gait(example, "sim:walker")
     rtl_times, rtl_angles = gait(example, "rtl:walker")
     assert angles.shape[1] == rtl_angles.shape[1] == 18
-    # A thousand times a second for 0.8 s, but for the beginning.
+    # 1000 samples per second for 0.8 s, except for the beginning.
     assert min(len(times), len(rtl_times)) > 780
     assert np.diff(rtl_times) == pytest.approx(0.001)
     expected = np.stack([np.interp(rtl_times, times, column) for column in angles.T], 1)

@@ -52,7 +52,7 @@ app.command("another")(lambda: None)
 
 
 def examined(*arguments: str) -> dict[str, dict[str, str]]:
-    """Run the command, and return what is wrong, by the names of the faults."""
+    """Run the command; return the findings that are faults, by their names."""
     result = CliRunner().invoke(app, ["doctor", *arguments, "--duration", "0.05", "--json"])
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
@@ -64,7 +64,7 @@ def examined(*arguments: str) -> dict[str, dict[str, str]]:
 
 @contextmanager
 def served(serving: AbstractAsyncContextManager[str]) -> Iterator[str]:
-    """Serve beside the test, in a loop and a thread of its own, and give the URL."""
+    """Serve in an event loop in a thread of its own; yield the URL."""
     loop, ready, urls = asyncio.new_event_loop(), threading.Event(), []
 
     async def serve() -> None:
@@ -99,18 +99,18 @@ def gateway_of(**fields: Any) -> VirtualGateway:
 # The chip
 
 
-def test_a_chip_that_is_a_uart_by_its_eeprom() -> None:
+def test_a_chip_with_uart_in_its_eeprom_is_found() -> None:
     with plugged_in(image=build_eeprom("UART", "S1")):
         fault = examined(CHIP)["wrong EEPROM"]
     assert "unity-link ft232h configure ftdi://ftdi:232h/1 --mode fifo" in fault["advice"]
 
 
-def test_a_latency_timer_of_16_ms() -> None:
+def test_a_latency_timer_of_16_ms_is_found() -> None:
     with plugged_in():
         assert "16 ms" in examined(f"{CHIP}?latency=16")["latency timer"]["text"]
 
 
-def test_a_latency_timer_of_16_ms_of_the_kernels_driver(tmp_path: Path) -> None:
+def test_a_latency_timer_of_16_ms_of_the_kernels_driver_is_found(tmp_path: Path) -> None:
     device = tmp_path / "class" / "tty" / "ttyUSB0" / "device"
     device.mkdir(parents=True)
     (device / "latency_timer").write_text("16\n")
@@ -118,7 +118,7 @@ def test_a_latency_timer_of_16_ms_of_the_kernels_driver(tmp_path: Path) -> None:
     assert adapter_latency("/dev/ttyUSB1", tmp_path) is None
 
 
-def test_a_chip_whose_siwu_is_not_wired() -> None:
+def test_a_chip_with_unconnected_siwu_is_found() -> None:
     with plugged_in(GatewayBoard(VirtualGateway(), siwu_wired=False)):
         assert "event_char=10" in examined(CHIP)["no SIWU#"]["advice"]
 
@@ -130,33 +130,33 @@ def test_the_event_character_is_the_last_one_of_the_frames(options: str, charact
         assert f"event_char={character} " in examined(f"{CHIP}{options}")["no SIWU#"]["advice"]
 
 
-def test_a_gateway_without_siwu_and_the_event_character_in_its_place() -> None:
+def test_a_gateway_without_siwu_may_use_the_event_character() -> None:
     without = gateway_of(features=GatewayInfo().features & ~Feature.SEND_IMMEDIATE)
     with plugged_in(GatewayBoard(without)):
         assert "no SIWU#" in examined(CHIP)
         assert "no SIWU#" not in examined(f"{CHIP}?event_char=10")
 
 
-def test_a_chip_without_permission_and_the_line_for_udev() -> None:
+def test_a_chip_without_permission_is_found_with_the_udev_rule() -> None:
     with plugged_in() as device:
         device.denied = True
         assert UDEV_LINE in examined(CHIP)["no permission"]["advice"]
     assert UDEV_LINE in (ROOT / "docs" / "how-to" / "ft232h.md").read_text()
 
 
-def test_a_chip_that_another_program_has() -> None:
+def test_a_chip_in_use_by_another_program_is_found() -> None:
     with plugged_in() as device:
         device.claims[0] = object()
         assert "busy" in examined(CHIP)
 
 
-def test_a_chip_that_is_not_there() -> None:
+def test_a_missing_chip_is_found() -> None:
     with plugged_in() as device:
         device.unplug()
         assert "unplugged" in examined(CHIP)
 
 
-def test_a_rate_that_a_chip_only_comes_near_to_is_a_fault() -> None:
+def test_a_rate_that_a_chip_only_approximates_is_a_fault() -> None:
     fault = examined("ftdi://virtual?mode=uart&baud=7000000")["wrong baud"]
     assert fault["text"].startswith("the chip runs at 6,857,143 baud, not at 7,000,000 (-2.04%): a UART needs")
     assert "such as baud=6000000" in fault["advice"]
@@ -173,11 +173,11 @@ def test_a_rate_within_one_per_cent_is_reported_and_no_fault() -> None:
 # Serial ports
 
 
-def test_a_port_that_is_not_there() -> None:
+def test_a_missing_port_is_found() -> None:
     assert "unplugged" in examined("serial:/dev/nosuch")
 
 
-def test_a_socket_and_a_device_of_memory_that_are_not_there_are_not_unplugged() -> None:
+def test_missing_sockets_and_memory_devices_do_not_count_as_unplugged() -> None:
     faults = examined("unix:/nowhere/at/all")
     assert "is it served?" in faults["nothing listens"]["text"]
     assert faults["nothing listens"]["advice"].startswith("start what serves the gateway")
@@ -185,7 +185,7 @@ def test_a_socket_and_a_device_of_memory_that_are_not_there_are_not_unplugged() 
     assert "it cannot be mapped (No such file or directory)" in faults["failed"]["text"]
 
 
-def test_mapped_memory_has_no_gateway_to_be_examined(tmp_path: Path) -> None:
+def test_mapped_memory_has_no_gateway_to_examine(tmp_path: Path) -> None:
     (tmp_path / "bus").write_bytes(bytes(1024))
     assert examined(f"mmio:{tmp_path}/bus") == {}
     result = CliRunner().invoke(app, ["doctor", f"mmio:{tmp_path}/bus", "--json"])
@@ -193,7 +193,7 @@ def test_mapped_memory_has_no_gateway_to_be_examined(tmp_path: Path) -> None:
     assert (last["check"], last["text"]) == ("memory", "256 words of 32 bits are mapped, without a gateway in between")
 
 
-def test_a_port_that_another_program_has_is_told_with_that_program() -> None:
+def test_a_port_in_use_is_reported_with_the_program_that_uses_it() -> None:
     with served(serve_pty(VirtualGateway())) as url:
         holding = "import serial, sys; p = serial.Serial(sys.argv[1], exclusive=True); print(flush=True); input()"
         command = [sys.executable, "-c", holding, url.removeprefix("serial:")]
@@ -207,8 +207,8 @@ def test_a_port_that_another_program_has_is_told_with_that_program() -> None:
     assert f"(process {other.pid})" in result.stdout
 
 
-def test_a_port_of_somebody_else() -> None:
-    # Root may open any port: the real user, whose permissions are asked for, is another; the effective one imports.
+def test_a_port_without_permission_is_found() -> None:
+    # Root may open any port, so change the real user, whose permissions are checked; the effective user imports.
     program = "import os; os.getuid() or os.setreuid(65534, 0); from unity_link.cli import main; main()"
     with served(serve_pty(VirtualGateway())) as url:
         path = Path(url.removeprefix("serial:"))
@@ -228,28 +228,28 @@ def test_a_port_of_somebody_else() -> None:
 
 
 @pytest.mark.parametrize("baud", [115_200, 9_600])
-def test_a_port_of_another_speed_than_the_gateway(baud: int) -> None:
+def test_a_port_with_another_baud_rate_than_the_gateway_is_found(baud: int) -> None:
     with served(serve_pty(VirtualGateway(), baud=921_600)) as url:
         fault = examined(f"{url}?baud={baud}", "--timeout", "0.4")["wrong baud"]
         assert "baud=921600" in fault["advice"]
         assert "wrong baud" not in examined(f"{url}?baud=921600")
 
 
-def test_garbage_of_a_speed_that_nobody_would_try() -> None:
+def test_garbage_of_an_unusual_baud_rate_is_recognised() -> None:
     gateway = gateway_of()
     with served(serve_pty(Chatter(gateway), baud=31_250)) as url:
         assert "several times faster" in examined(f"{url}?baud=115200", "--timeout", "0.4")["wrong baud"]["text"]
 
 
 @pytest.mark.parametrize("factor", [3, 4, 8, 16, 100])
-def test_garbage_of_a_port_that_is_too_fast_is_told_by_its_pattern(factor: int) -> None:
+def test_garbage_of_a_port_that_is_too_fast_is_recognised(factor: int) -> None:
     heard = hear(b"x00002ABCD\np07000012345678\n" * 3, 9_600, 9_600 * factor)
     assert not garbage.is_text(heard)
     assert "faster than the gateway" in garbage.describe(heard)
 
 
 @pytest.mark.parametrize("factor", [2, 3, 4, 8])
-def test_garbage_of_a_port_that_is_too_slow_is_not_taken_for_that_of_a_fast_one(factor: int) -> None:
+def test_garbage_of_a_port_that_is_too_slow_is_recognised(factor: int) -> None:
     heard = hear(b"x00002ABCD\np07000012345678\n" * 3, 9_600 * factor, 9_600)
     assert not garbage.is_text(heard)
     assert "slower" in garbage.describe(heard)
@@ -257,7 +257,7 @@ def test_garbage_of_a_port_that_is_too_slow_is_not_taken_for_that_of_a_fast_one(
 
 @pytest.mark.parametrize("node", [None, 5])
 @pytest.mark.parametrize("told", ["TX", "echo off"])
-def test_a_port_on_which_what_is_sent_comes_back(told: str, node: int | None) -> None:
+def test_a_port_that_echoes_is_found(told: str, node: int | None) -> None:
     gateway = None if told == "TX" else VirtualGateway(node=node)
     options = "" if node is None else f"?node={node}"
     master, port = os.openpty()
@@ -310,23 +310,23 @@ def test_a_line_that_changes_cr_or_lf_is_no_other_protocol(direction: str) -> No
 
 
 @pytest.mark.parametrize("chances", [{"flip": 0.001}, {"loss": 0.001}])
-def test_one_per_mille_of_damage(chances: dict[str, float]) -> None:
+def test_damage_of_one_per_mille_is_found(chances: dict[str, float]) -> None:
     noisy = NoisyLine(VirtualGateway(), Noise(1, **chances), Noise(2, **chances))
     with served(serve_pty(noisy)) as url:
         assert "one byte in" in examined(url)["noise"]["text"]
 
 
-# What is at the other end
+# The other end of the connection
 
 
 class Quiet(http.server.BaseHTTPRequestHandler):
-    """An HTTP server's answer, without its log."""
+    """Answers as an HTTP server, without a log."""
 
     def log_message(self, *_: object) -> None:
         pass
 
 
-def test_a_server_of_http_on_the_port() -> None:
+def test_an_http_server_on_the_port_is_found() -> None:
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet) as server:
         threading.Thread(target=server.serve_forever).start()
         found = examined(f"tcp://127.0.0.1:{server.server_port}", "--timeout", "0.4")
@@ -334,28 +334,28 @@ def test_a_server_of_http_on_the_port() -> None:
     assert "HTTP answers there" in found["another protocol"]["text"]
 
 
-def test_a_port_on_which_nothing_listens() -> None:
+def test_a_port_without_a_listener_is_found() -> None:
     assert "nothing listens" in examined("tcp://127.0.0.1:1")
 
 
-def test_a_gateway_of_another_version() -> None:
+def test_a_gateway_of_another_version_is_found() -> None:
     with served(serve_tcp(gateway_of(protocol_version=2))) as url:
         assert "the gateway speaks version 02 of the protocol" in examined(url)["other version"]["text"]
 
 
-def test_a_small_fifo_without_flow_control() -> None:
+def test_a_small_fifo_without_flow_control_is_found() -> None:
     small = gateway_of(receive_fifo_bytes=32, features=GatewayInfo().features & ~Feature.FLOW_CONTROL)
     with served(serve_pty(small)) as url:
         assert "rtscts=1" in examined(url)["small FIFO"]["advice"]
 
 
 @pytest.mark.parametrize("answers", [0, 30], ids=["from the beginning", "in the middle"])
-def test_a_gateway_that_stands_still(answers: int) -> None:
+def test_a_stopped_gateway_is_found(answers: int) -> None:
     with served(serve_pty(Chatter(VirtualGateway(), answers))) as url:
         assert "stalled gateway" in examined(url, "--timeout", "0.4")
 
 
-def test_a_server_that_stands_still() -> None:
+def test_a_stopped_server_is_found() -> None:
     with subprocess.Popen([PROGRAM, "simulate", "--tcp", "0"], stdout=subprocess.PIPE, text=True) as server:
         assert server.stdout is not None
         url = server.stdout.readline().strip()
@@ -367,7 +367,7 @@ def test_a_server_that_stands_still() -> None:
             server.terminate()
 
 
-def test_a_gateway_that_serves_another_program() -> None:
+def test_a_gateway_in_use_by_another_program_is_found() -> None:
     with served(serve_tcp(VirtualGateway())) as url:
         import unity_link.blocking
 
@@ -375,7 +375,7 @@ def test_a_gateway_that_serves_another_program() -> None:
             assert "busy" in examined(url, "--timeout", "0.4")
 
 
-def test_a_gateway_that_was_built_from_another_spec(tmp_path: Path) -> None:
+def test_a_gateway_built_from_another_spec_is_found(tmp_path: Path) -> None:
     (tmp_path / "right.ul").write_text(SPEC)
     (tmp_path / "wrong.ul").write_text(OTHER)
     fingerprint = compile_text(SPEC).interface().fingerprint
@@ -388,7 +388,7 @@ def test_a_gateway_that_was_built_from_another_spec(tmp_path: Path) -> None:
 # The computer
 
 
-def test_a_computer_that_is_slow_to_run_what_waits() -> None:
+def test_a_computer_that_delays_wake_ups_is_found() -> None:
     with subprocess.Popen([PROGRAM, "doctor", "sim:", "--json"], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         first = process.stdout.readline()
@@ -426,12 +426,12 @@ def test_the_longest_pause_is_that_of_the_latest_wake_up() -> None:
 
 
 class Chatter(Gateway):
-    """A gateway in front of another, which answers so many times, and otherwise says something by itself or nothing.
+    """Passes requests to a gateway a number of times, and then sends no answer; or sends the same bytes for every read.
 
     Args:
-        gateway: who answers.
-        answers: how often; None for a gateway that never does, and sends the same samples for ever.
-        says: the bytes that it sends for each read, if it never answers.
+        gateway: the gateway that answers.
+        answers: number of answers; None to send `says` for every read instead.
+        says: bytes that are sent for each read if `answers` is None.
     """
 
     def __init__(self, gateway: Gateway, answers: int | None = None, says: bytes = b"p07000012345678\n" * 4) -> None:

@@ -1,4 +1,4 @@
-"""`unity-link doctor udp://...` finds each fault of a network: at stations of a real one, and behind a lossy relay."""
+"""`unity-link doctor udp://...` finds each fault of a network: at simulated stations, and behind a lossy relay."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ OTHER_MAC = GATEWAY_MAC[:-1] + b"\x02"
 
 
 def examined(url: str) -> dict[str, dict[str, str]]:
-    """Run the command, and return what is wrong, by the names of the faults; a slow computer is not the network's."""
+    """Run the command; return the faults by their names, without those of a slow computer."""
     done = subprocess.run([PROGRAM, "doctor", url, "--json"], capture_output=True, text=True, timeout=120, check=False)
     assert "Traceback" not in done.stderr
     findings = [json.loads(line) for line in done.stdout.splitlines()]
@@ -44,13 +44,13 @@ def examined(url: str) -> dict[str, dict[str, str]]:
 
 
 def is_at(frame: bytes, mac: bytes) -> bytes:
-    """Return the answer to a question of ARP."""
+    """Return the answer to an ARP request."""
     head = frame[6:12] + mac + b"\x08\x06" + struct.pack("!HHBBH", 1, 0x0800, 6, 4, 2)
     return head + mac + frame[38:42] + frame[22:32]
 
 
 def unreachable(frame: bytes, code: int) -> bytes:
-    """Return the refusal of a datagram by ICMP."""
+    """Return the ICMP message that refuses a datagram."""
     message = struct.pack("!BBHI", 3, code, 0, 0) + frame[14:42]
     message = message[:2] + struct.pack("!H", sum_of(message)) + message[4:]
     head = struct.pack("!BBHHHBBH", 0x45, 0, 20 + len(message), 1, 0, 64, 1, 0) + GATEWAY_IP + HOST_IP
@@ -73,7 +73,7 @@ def refusing_station(code: int) -> Callable[[bytes], list[bytes]]:
 
 @contextmanager
 def station(answer: Callable[[bytes], list[bytes]]) -> Iterator[None]:
-    """Run a station that answers what the kernel sends, in a network namespace in which this thread is meanwhile."""
+    """Run a station that answers the kernel's frames; in the block this thread is in a network namespace with it."""
     over = threading.Event()
 
     def run(descriptor: int) -> None:
@@ -93,7 +93,7 @@ def station(answer: Callable[[bytes], list[bytes]]) -> Iterator[None]:
 
 
 @pytest.mark.slow
-def test_that_no_station_has_the_address_is_told() -> None:
+def test_an_address_without_a_station_is_found() -> None:
     with station(lambda _: []):
         found = examined(URL)
     assert [*found] == ["no such station"]
@@ -113,21 +113,21 @@ def test_a_station_that_answers_arp_and_no_datagram_is_behind_a_firewall() -> No
 
 
 @pytest.mark.parametrize("code", [9, 10, 13])
-def test_a_firewall_that_says_so_is_told(code: int) -> None:
+def test_a_firewall_that_refuses_by_icmp_is_found(code: int) -> None:
     with station(refusing_station(code)):
         found = examined(URL)
     assert [*found] == ["firewall"]
     assert f"ICMP says that it is administratively prohibited (code {code})" in found["firewall"]["text"]
 
 
-def test_a_port_at_which_nothing_listens_is_told() -> None:
+def test_a_datagram_port_without_a_listener_is_found() -> None:
     with station(refusing_station(3)):
         found = examined(URL)
     assert [*found] == ["nothing listens"]
 
 
 def answering_stations(*macs: bytes) -> Callable[[bytes], list[bytes]]:
-    """Return what boards answer that have one address of IP, at the MAC of the first."""
+    """Return a function that answers as boards with one IP address do; the first of `macs` answers datagrams."""
 
     def answer(frame: bytes) -> list[bytes]:
         if frame[12:14] != b"\x08\0" or frame[23] != 17:
@@ -141,7 +141,7 @@ def answering_stations(*macs: bytes) -> Callable[[bytes], list[bytes]]:
 
 
 def datagram(frame: bytes, mac: bytes, data: bytes) -> bytes:
-    """Return a datagram that answers one of a frame."""
+    """Return a datagram that answers the one in a frame."""
     head = struct.pack("!BBHHHBBH", 0x45, 0, 28 + len(data), 1, 0, 64, 17, 0) + GATEWAY_IP + HOST_IP
     head = head[:10] + struct.pack("!H", sum_of(head)) + head[12:]
     ports = frame[36:38] + frame[34:36]
@@ -149,7 +149,7 @@ def datagram(frame: bytes, mac: bytes, data: bytes) -> bytes:
 
 
 @pytest.mark.slow
-def test_two_boards_of_one_address_are_told_with_their_macs() -> None:
+def test_two_boards_with_one_ip_address_are_reported_with_their_macs() -> None:
     with station(answering_stations(GATEWAY_MAC, OTHER_MAC)):
         found = examined(URL)
     macs = " and ".join(f"{mac.hex(':')} (twin)" for mac in (GATEWAY_MAC, OTHER_MAC))
@@ -157,27 +157,27 @@ def test_two_boards_of_one_address_are_told_with_their_macs() -> None:
 
 
 @pytest.mark.slow
-def test_two_boards_of_one_mac_are_told() -> None:
+def test_two_boards_with_one_mac_address_are_found() -> None:
     with station(answering_stations(GATEWAY_MAC, GATEWAY_MAC)):
         found = examined(URL)
     assert f"two boards have the MAC address {GATEWAY_MAC.hex(':')}" in found["two of one address"]["text"]
 
 
-def test_a_route_that_this_computer_prohibits_is_told() -> None:
+def test_a_route_that_this_computer_prohibits_is_found() -> None:
     with station(silent_station):
         run_ip("route", "add", "prohibit", f"{GATEWAY}/32")
         found = examined(URL)
     assert [*found] == ["firewall"]
 
 
-def test_a_network_without_a_way_is_told() -> None:
+def test_a_network_without_a_route_is_found() -> None:
     with own_network():
         found = examined(URL)
     assert [*found] == ["failed"]
     assert "Network is unreachable" in found["failed"]["text"]
 
 
-def test_loss_is_told_with_its_share_and_the_link_is_examined_all_the_same() -> None:
+def test_loss_is_reported_with_its_rate_and_the_link_is_examined() -> None:
     async def examine() -> dict[str, dict[str, str]]:
         lossy = [Straying[object](seed, loss=0.05) for seed in (1, 2)]
         async with serve_udp(VirtualGateway()) as url, relay_udp(url, *lossy) as relayed:  # type: ignore[arg-type]
@@ -188,7 +188,7 @@ def test_loss_is_told_with_its_share_and_the_link_is_examined_all_the_same() -> 
     assert "datagrams not answered: about one in " in found["loss"]["text"]
 
 
-def test_a_sound_network_has_no_fault() -> None:
+def test_a_healthy_network_has_no_fault() -> None:
     async def examine() -> dict[str, dict[str, str]]:
         async with serve_udp(VirtualGateway()) as url:
             return await asyncio.to_thread(examined, url)

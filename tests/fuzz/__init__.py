@@ -1,1 +1,1 @@
-"""Coverage-guided fuzzing of whatever reads bytes of strangers: targets, their known inputs, and the search."""
+"""Coverage-guided fuzzing of code that reads untrusted bytes: targets, their known inputs, and the search."""

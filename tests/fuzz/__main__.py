@@ -1,8 +1,8 @@
-"""Search for inputs that a target cannot take: ``python -m fuzz TARGET SECONDS``, from the directory of the tests.
+"""Search for inputs that make a target fail: ``python -m fuzz TARGET SECONDS``, from the directory of the tests.
 
 Targets in Python need atheris, which `make fuzz` installs into an environment of its own; the clients in C and C++ need
-clang. What is found stands in ``crash-...`` here; new inputs that reach new code go to the folder that FUZZ_FINDINGS
-names, beside those in `corpus`.
+clang. Failing inputs are written to ``crash-...`` here; inputs that reach new code are written to the folder that
+FUZZ_FINDINGS names, in addition to those in `corpus`.
 """
 
 from __future__ import annotations
@@ -20,14 +20,14 @@ CORPUS = Path(__file__).with_name("corpus")
 
 
 def main() -> None:
-    """Search, for as long as the command line says."""
+    """Search for the time that the command line names."""
     known = sorted(path.name for path in CORPUS.iterdir())
     if len(sys.argv) != 3 or sys.argv[1] not in known:
         sys.exit(f"a target and its seconds were expected: one of {', '.join(known)}, as in `python -m fuzz serve 60`")
     name, seconds = sys.argv[1:]
     findings = Path(os.environ.get("FUZZ_FINDINGS", "/tmp/unity-link-fuzz"), name)
     findings.mkdir(parents=True, exist_ok=True)
-    # One input in a process that is instrumented may take long; a second is a hang.
+    # An input in an instrumented process may take long; more than 20 s is a hang.
     options = [f"-max_total_time={seconds}", "-timeout=20", "-rss_limit_mb=2048", "-print_final_stats=1"]
     given = [str(findings), str(CORPUS / name), *options]
     if name in PROGRAMS:

@@ -1,10 +1,10 @@
-"""The bytes of an input as choices of what happens next."""
+"""The bytes of an input, which choose the next events."""
 
 from __future__ import annotations
 
 
 class Choices:
-    """The bytes of an input, taken one after the other."""
+    """The bytes of an input, taken one after another."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data

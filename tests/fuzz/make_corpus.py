@@ -1,6 +1,6 @@
 """Write the inputs that a search begins with: ``python -m fuzz.make_corpus``, from the directory of the tests.
 
-What a search has found stays: only the files named here are written anew.
+Inputs that a search has found are kept: only the files named here are written again.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ DEFAULT = VirtualGateway().receive(b"Q\r", 0.0).strip()[1:]
 
 
 def checked(body: bytes, session: int = 0) -> bytes:
-    """Return a body with its check, in which a session is, and its end."""
+    """Return a body with its CRC, which depends on the session, and its line end."""
     return body + Crc().text(body, seed_of(session, from_gateway=False)) + b"\n"
 
 
 def record(folder: Path) -> None:
-    """Record a robot, and what passed meanwhile; by relative paths, which are kept in them."""
+    """Record a robot and a snoop of the link; the files contain relative paths."""
     snoop, recording = Path("snooped", "short"), Path("recording", "short")
     for path in (folder / snoop, folder / recording):
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -39,7 +39,7 @@ def record(folder: Path) -> None:
 
 
 def main() -> int:
-    """Write all; returns the exit status."""
+    """Write all inputs; return the exit status."""
     session = checked(b"K0000001")
     requests = [
         checked(body, 1) for body in (b"r00088", b"w0018A0000002A", b"rm0028804", b"gs00303000A020A0B", b"gn00403")

@@ -1,4 +1,4 @@
-"""A server of a shared link between clients and a gateway that both say what an input says, on modelled time."""
+"""A server of a shared link between clients and a gateway that both send bytes of an input, on simulated time."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ if TYPE_CHECKING:
 
 TOKEN = "secret"
 MOST_HEARD = 1 << 20
-"""Bytes that one client may be told in answer to an input."""
+"""Largest number of bytes that one client may receive for an input."""
 OPENING = 5.0
-"""Seconds within which an honest gateway has a link."""
+"""Seconds within which a working gateway has a link."""
 _CRC = Crc()
 
 
 class Hostile(Gateway):
-    """A gateway that an input has say what it likes, besides what one says that has memory everywhere."""
+    """A gateway that sends bytes of an input, besides the answers of a gateway with memory at all addresses."""
 
     def __init__(self) -> None:
         self.honest = VirtualGateway()
         self.info, self.wake = self.honest.info, lambda: None
         self.instead = b""
-        """Bytes that the host hears next."""
+        """Bytes that the host receives next."""
         self.silent = False
 
     @property
@@ -66,12 +66,12 @@ class Hostile(Gateway):
 
 
 class Listener(asyncio.Protocol):
-    """A client that says what an input says."""
+    """A client that sends bytes of an input."""
 
     def __init__(self) -> None:
         self.heard = 0
         self.session = 0
-        """Number of the session that it began last."""
+        """Number of the session that it opened last."""
         self.gone = False
         self.end: PipeEnd
 
@@ -83,7 +83,7 @@ class Listener(asyncio.Protocol):
 
 
 class Scene:
-    """The server, the gateway behind it, and its clients."""
+    """The server, its gateway, and its clients."""
 
     def __init__(self, choices: Choices) -> None:
         self._choices = choices
@@ -104,11 +104,11 @@ class Scene:
         )
 
     def step(self) -> None:
-        """Do what the next byte says."""
+        """Perform the action of the next byte."""
         self._steps[self._choices.number() % len(self._steps)]()
 
     async def play(self) -> None:
-        """Do all that the input says, and end; whatever came, the end is quick and leaves nothing."""
+        """Perform the actions of the whole input, then end; the end must be quick and leave no task."""
         self.shared.open_when_there()
         while self._choices:
             self.step()
@@ -138,7 +138,7 @@ class Scene:
         self._tell_checked(self._choices.take(self._choices.number() % 64))
 
     def _tell_checked(self, body: bytes) -> None:
-        """Send the server a frame of the client's session; a `K` begins the next one."""
+        """Send a frame of the client's session to the server; a `K` opens the next session."""
         listener = self._listener()
         if listener is None:
             return
@@ -211,7 +211,7 @@ def _checked(body: bytes, seed: int) -> bytes:
 
 
 def serve(choices: Choices) -> None:
-    """Play an input to its end. Raise the first exception that a callback or a task did not catch."""
+    """Run an input to its end. Raise the first exception that a callback or a task did not catch."""
     uncaught: list[dict[str, Any]] = []
 
     async def play() -> None:

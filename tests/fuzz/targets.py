@@ -1,7 +1,7 @@
-"""Readers of strangers' bytes, each as a function of one input: it ends, or refuses in a sentence of ours.
+"""Readers of untrusted bytes, each as a function of one input: it returns, or our own error refuses the input.
 
-A function raises nothing whatever it is given: what it lets through is a defect. `test_corpus.py` replays known inputs,
-``python -m fuzz TARGET SECONDS`` searches for others by coverage.
+A function must not raise for any input: an exception that it does not catch is a defect. `test_corpus.py` replays known
+inputs; ``python -m fuzz TARGET SECONDS`` searches for others by coverage.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.host_codec import HostCodec
 
 LONGEST_ANSWER = 1 << 20
-"""Bytes that a gateway may answer to an input; blocks and samples are what they are asked for."""
+"""Largest number of bytes that a gateway may answer to an input; blocks and samples have the requested size."""
 _FRAMINGS = [
     Framing(Crc(bits, polynomial), node)
     for bits, polynomial in ((8, 0x07), (16, 0x1021), (32, 0x04C11DB7))
@@ -46,7 +46,7 @@ _FOLDER = Path(tempfile.mkdtemp(prefix="unity-link-fuzz."))
 
 
 def frames(data: bytes) -> None:
-    """Open lines with each check, and put both directions into words."""
+    """Open lines with each CRC, and decode both directions into words."""
     for line in data.split(b"\n"):
         for framing in _FRAMINGS:
             with contextlib.suppress(FrameError):
@@ -58,14 +58,14 @@ def frames(data: bytes) -> None:
 
 
 def configuration(data: bytes) -> None:
-    """Take a text for what a gateway says of itself; what is taken says the same again."""
+    """Decode a text as a gateway's configuration; if it is accepted, encoding it gives the same configuration."""
     with contextlib.suppress(UnityLinkError, ValueError):
         info = GatewayInfo.from_hex(data)
         assert GatewayInfo.from_hex(info.to_hex()) == info
 
 
 def gateway(data: bytes) -> None:
-    """Feed bytes to gateways without and with the compact form in two pieces, as time passes."""
+    """Send bytes in two pieces to gateways with and without the compact form, while time passes."""
     cut = data[0] * len(data) // 256 if data else 0
     for heard in (VirtualGateway(), VirtualGateway(_COMPACT)):
         answered = 0
@@ -78,7 +78,7 @@ def gateway(data: bytes) -> None:
 
 
 class _Line:
-    """A session that asks a gateway, over a line that the input changes."""
+    """A session with a gateway, over a line that the input disturbs."""
 
     def __init__(self, choices: Choices) -> None:
         self._choices, self._far = choices, VirtualGateway()
@@ -97,7 +97,7 @@ class _Line:
         )
 
     def step(self) -> None:
-        """Do what the next byte says."""
+        """Perform the action of the next byte."""
         self._steps[self._choices.number() % len(self._steps)]()
 
     def end(self) -> None:
@@ -138,7 +138,7 @@ class _Line:
 
 
 def session(data: bytes) -> None:
-    """Run a session against a gateway, over a line that the input changes; nothing is answered and failed."""
+    """Run a session over a line that the input disturbs; no request has both an answer and an error."""
     choices = Choices(data)
     line = _Line(choices)
     while choices:
@@ -161,7 +161,7 @@ def _request(codec: HostCodec, choices: Choices) -> Request:
 
 
 def spec(data: bytes) -> None:
-    """Compile and format a text as UL-spec; what is formatted compiles to the same map."""
+    """Compile and format a text as UL-spec; the formatted text compiles to the same map."""
     text = data.decode(errors="replace")
     with contextlib.suppress(UnityLinkError):
         compiled = compile_text(text)
@@ -197,13 +197,13 @@ def snooped(data: bytes) -> None:
 
 
 def page(data: bytes) -> None:
-    """Decode what a browser says to `live`."""
+    """Decode a message of a browser to `live`."""
     with contextlib.suppress(msgspec.DecodeError, RecursionError, UnicodeError):
         msgspec.json.Decoder(Hello | Write | Stop).decode(data)
 
 
 def serve(data: bytes) -> None:
-    """Run a server of a shared link with hostile clients, and a hostile gateway."""
+    """Run a server of a shared link with hostile clients and a hostile gateway."""
     serving.serve(Choices(data))
 
 

@@ -1,11 +1,10 @@
 """The gateways that the tests of the link run on, each by its id.
 
-`make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; and the model behind a virtual FT232H,
-reached by the driver of a scheme in `SCHEMES`; `serve`, the model through a server that shares it; `zenoh`, the
-same over a network; `pipes`, the model over a medium of the user's own; `mmio`, a bus that is mapped from a file, with
-no gateway at all; and the faces, the model as blocking code and
-code under trio see it. `make_bare` has those that can live on
-simulated time, on which neither a thread of a driver can nor another process.
+`make_gateway` has every kind: `sim`, the model; `rtl`, the compiled gateware; the model behind a virtual FT232H, with
+a driver for each of `SCHEMES`; `serve`, the model through a server that shares it; `zenoh`, the same over a network;
+`pipes`, the model over a medium that a user wrote; `mmio`, a bus that is mapped from a file, without a gateway; and
+the APIs of `FACES`, through which blocking code and code under trio use the model. `make_bare` has the kinds that run
+on simulated time, which excludes threads of drivers and other processes.
 """
 
 from __future__ import annotations
@@ -39,24 +38,25 @@ if TYPE_CHECKING:
 MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
 SCHEMES = ("ftdi", "ftdi-async")
 ON_SELDOM = {
-    "test_a_gateway_without_the_feature_is_told_by_name",
+    "test_the_error_for_a_missing_feature_names_it",
     "test_a_long_block_is_split_at_the_gateways_limit",
     "test_every_request_works_at_every_width[rtl-9-13-2]",
     "test_every_request_works_at_every_width[rtl-64-32-3]",
-    "test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host",
-    "test_the_link_knows_its_gateway",
-    "test_timestamps_are_used_where_the_gateway_can",
-    "test_what_a_gateway_was_built_without_is_named_and_not_sent",
+    "test_writes_are_executed_once_through_a_small_receive_fifo",
+    "test_a_link_has_the_configuration_of_its_gateway",
+    "test_timestamps_are_used_if_the_gateway_has_them",
+    "test_a_request_for_a_missing_feature_raises_and_is_not_sent",
 }
-"""Tests whose compiled gateware is a build of `SELDOM`: on it they are for the campaign."""
+"""Tests whose gateway is built with `SELDOM`; on `rtl` they are marked `campaign`."""
 WAY = "unity_link.virtual.gateway.Gateway.open"
 """Connection between a link and a gateway of this process."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'.
+    """Deselect tests that a kind of gateway cannot run, and mark tests on rarely needed builds as `campaign`.
 
-    And from a face what that does not promise. Tests on builds that are seldom needed are for the campaign.
+    A link to `serve` or `zenoh` is not the link that loses and reopens the gateway's connection, so `test_life` is not
+    run on them. An API or a mapped bus does not run the tests in its list `EMPTY`.
     """
     for item in items:
         if "rtl" in _kinds(item) and {item.name, item.name.partition("[")[0]} & ON_SELDOM:
@@ -78,7 +78,7 @@ def _kinds(item: pytest.Item) -> list[object]:
 
 @pytest.fixture(params=["sim", "serve", RTL])
 def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Maker:
-    """Make gateways of each kind in turn, for simulated time."""
+    """Return a maker of gateways of each kind in turn, for simulated time."""
     if request.param == "serve":
         monkeypatch.setattr(WAY, connect_through_server)
     return MAKERS.get(request.param, simulated)
@@ -86,7 +86,7 @@ def make_bare(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
 
 @pytest.fixture(params=["sim", "serve"])
 def make_modelled(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Maker:
-    """Make models, for simulated time and configurations that the gateware was not compiled with."""
+    """Return a maker of models, for simulated time and for configurations that the gateware was not compiled with."""
     if request.param == "serve":
         monkeypatch.setattr(WAY, connect_through_server)
     return simulated
@@ -94,7 +94,7 @@ def make_modelled(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatc
 
 @pytest.fixture(params=["sim", RTL])
 def make_direct(request: pytest.FixtureRequest) -> Maker:
-    """Make gateways whose line is the link's own, for simulated time: elsewhere a server meets what happens to it."""
+    """Return a maker of gateways for simulated time, without a server: it would handle the faults of the line."""
     return MAKERS[request.param]
 
 
@@ -102,7 +102,7 @@ def make_direct(request: pytest.FixtureRequest) -> Maker:
 def make_gateway(
     request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[Maker]:
-    """Make gateways of each kind in turn, and have links to them go the way of the kind."""
+    """Return a maker of gateways of each kind in turn; links to them use the connection of that kind."""
     with ExitStack() as stack:
         if request.param in FACES:
             folder = tmp_path_factory.mktemp("face")

@@ -1,4 +1,4 @@
-"""A program with a SCARA robot behind a bus that is mapped from a file: ``mapped_robot.py FILE``."""
+"""Simulates a SCARA robot behind a bus that is mapped from a file: ``mapped_robot.py FILE``."""
 
 import mmap
 import sys

@@ -1,4 +1,4 @@
-"""Links on lines that do not carry every byte: they use text, or end with a sentence within their time-out."""
+"""Links on lines that do not carry every byte use text, or end with a one-sentence error within their time-out."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ CARRYING_TEXT = [name for name, line in LINES.items() if line.carries_text and n
 @pytest.mark.parametrize("fields", [{}, SHORT, CRC_32], ids=["CRC-16", "CRC-8", "CRC-32"])
 @pytest.mark.parametrize("name", LINES)
 @on_simulated_time
-async def test_a_link_uses_text_or_ends_with_a_sentence_within_its_time_out(
+async def test_a_link_uses_text_or_reports_an_error_within_its_time_out(
     name: str, fields: dict[str, int], direction: str
 ) -> None:
     line = ChangedLine(simulated(**SLOW, **fields, features=FEATURES), LINES[name], direction)
@@ -45,7 +45,7 @@ async def test_a_link_uses_text_or_ends_with_a_sentence_within_its_time_out(
     if link is None:
         assert asyncio.get_running_loop().time() - began <= TIMEOUT
         assert re.fullmatch(r"no gateway answered at .* within 2 s; [^\n]*", refusal)
-        # A check may have an XOFF, which no XON follows.
+        # A CRC may include an XOFF, which no XON follows.
         assert not LINES[name].carries_text or (LINES[name].stops and NOT_CARRIED in refusal)
         return
     assert LINES[name].carries_text
@@ -63,7 +63,7 @@ async def test_a_link_uses_text_or_ends_with_a_sentence_within_its_time_out(
 
 @pytest.mark.parametrize("name", CARRYING_TEXT)
 @pytest.mark.asyncio
-async def test_a_server_before_a_compact_gateway_shares_such_a_line(name: str) -> None:
+async def test_a_server_for_a_compact_gateway_shares_a_line_that_changes_bytes(name: str) -> None:
     line = ChangedLine(simulated(**SLOW, features=FEATURES), LINES[name])
     async with serve(line, tcp=0) as served, unity_link.connect(served.urls[0]) as link:
         await link.write(1, WORDS[0])
@@ -72,7 +72,7 @@ async def test_a_server_before_a_compact_gateway_shares_such_a_line(name: str) -
 
 @pytest.mark.parametrize("kind", ["tcp", "pty"])
 @pytest.mark.parametrize("name", [name for name, line in LINES.items() if not line.stops])
-def test_at_a_real_port_a_link_uses_text_or_ends_with_a_sentence(name: str, kind: str) -> None:
+def test_a_link_at_a_real_port_uses_text_or_reports_an_error(name: str, kind: str) -> None:
     line = ChangedLine(simulated(features=FEATURES), LINES[name])
     with on_a_port(line, kind) as url:
         if LINES[name].carries_text:
@@ -85,7 +85,7 @@ def test_at_a_real_port_a_link_uses_text_or_ends_with_a_sentence(name: str, kind
 
 
 @on_simulated_time
-async def test_a_reset_on_a_line_that_was_tried_costs_no_other_trial() -> None:
+async def test_a_reset_causes_no_second_trial_of_the_line() -> None:
     gateway = simulated(**SLOW, features=FEATURES)
     valve = Valve(gateway)
     async with unity_link.connect(valve) as link:
@@ -99,7 +99,7 @@ async def test_a_reset_on_a_line_that_was_tried_costs_no_other_trial() -> None:
 
 
 class BrokenLater(Valve):
-    """A line that clears the highest bit from an instant on."""
+    """A line that clears the highest bit of each byte once `is_broken` is set."""
 
     is_broken = False
 
@@ -109,7 +109,7 @@ class BrokenLater(Valve):
 
 
 @on_simulated_time
-async def test_a_line_that_changes_bytes_later_ends_the_link_by_an_error_that_names_the_option() -> None:
+async def test_the_error_on_a_line_that_changes_bytes_later_names_the_option() -> None:
     line = BrokenLater(simulated(**SLOW, features=FEATURES))
     async with unity_link.connect(line) as link:
         await link.write(1, 2)
@@ -119,7 +119,7 @@ async def test_a_line_that_changes_bytes_later_ends_the_link_by_an_error_that_na
 
 
 @on_simulated_time
-async def test_text_does_not_name_the_option() -> None:
+async def test_the_error_in_text_form_does_not_name_the_option() -> None:
     line = BrokenLater(simulated(**SLOW))
     async with unity_link.connect(line) as link:
         line.answers_pass = False
@@ -130,7 +130,7 @@ async def test_text_does_not_name_the_option() -> None:
 
 @pytest.mark.parametrize("seed", seeds(10, 300))
 @on_simulated_time
-async def test_noise_at_the_opening_costs_the_form_at_most(seed: int) -> None:
+async def test_noise_at_the_opening_costs_at_most_the_compact_form(seed: int) -> None:
     gateway = simulated(**SLOW, features=FEATURES)
     line = NoisyLine(gateway, Noise(2 * seed, flip=0.01, loss=0.01), Noise(2 * seed + 1, flip=0.01, loss=0.01))
     async with unity_link.connect(line) as link:

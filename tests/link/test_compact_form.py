@@ -1,4 +1,4 @@
-"""Links to gateways with the compact form: programs see no difference, and fewer bytes pass."""
+"""Links to gateways with the compact form: programs see no difference, and the line carries fewer bytes."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def with_compact_form(kind: str) -> BareGateway:
 
 
 class Echoing(Valve):
-    """Gives back what is sent, in front of the answers."""
+    """Echoes each request before the answers to it."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         return data + super().receive(data, now)
@@ -37,7 +37,7 @@ class Echoing(Valve):
 
 @pytest.mark.parametrize("kind", ["sim", RTL])
 @on_simulated_time
-async def test_words_blocks_batches_posts_and_samples_are_as_with_text(kind: str) -> None:
+async def test_words_blocks_batches_posts_and_samples_work_as_with_text(kind: str) -> None:
     valve = Valve(with_compact_form(kind))
     async with unity_link.connect(valve) as link:
         await link.write(5, 0xB5CAD30A)
@@ -56,7 +56,7 @@ async def test_words_blocks_batches_posts_and_samples_are_as_with_text(kind: str
 
 
 @on_simulated_time
-async def test_frames_of_a_link_that_wants_text_are_text() -> None:
+async def test_a_link_with_compact_off_sends_text() -> None:
     async with unity_link.connect(f"{URL}&compact=0") as link:
         before = link.statistics
         await link.read_many([0] * 100)
@@ -74,13 +74,13 @@ async def test_a_batch_of_reads_takes_less_than_two_thirds_of_the_bytes_of_text(
     assert counted.bytes_received - before.bytes_received < 1000 * 17 * 2 / 3
 
 
-def test_an_option_that_is_neither_0_nor_1_is_refused_in_a_sentence() -> None:
+def test_an_option_other_than_0_or_1_is_refused() -> None:
     with pytest.raises(unity_link.ArgumentError, match=r"compact=2 in sim:\?compact=2 is neither 0 nor 1"):
         blocking.connect("sim:?compact=2")
 
 
 @on_simulated_time
-async def test_behind_an_adapter_that_echoes_frames_are_text() -> None:
+async def test_a_link_uses_text_on_an_adapter_that_echoes() -> None:
     valve = Echoing(with_compact_form("sim"))
     async with unity_link.connect(valve) as link:
         await link.write(1, 2)
@@ -90,7 +90,7 @@ async def test_behind_an_adapter_that_echoes_frames_are_text() -> None:
 
 @pytest.mark.parametrize("bytes_per_second", [960, 100_000])
 @on_simulated_time
-async def test_long_answers_on_a_slow_line_are_waited_for(bytes_per_second: int) -> None:
+async def test_a_link_waits_for_long_answers_on_a_slow_line(bytes_per_second: int) -> None:
     async with unity_link.connect(SlowLine(with_compact_form("sim"), bytes_per_second), timeout=60) as link:
         for _ in range(5):
             assert len(await link.read_block(0, 255)) == 255
@@ -98,7 +98,7 @@ async def test_long_answers_on_a_slow_line_are_waited_for(bytes_per_second: int)
 
 
 @on_simulated_time
-async def test_a_program_that_comes_while_samples_of_another_arrive_finds_the_answers_among_them() -> None:
+async def test_a_program_connects_while_samples_of_another_program_arrive() -> None:
     gateway = with_compact_form("sim")
     first = await unity_link.connect(gateway)
     async with first.subscribe(range(20), rate_hz=1000, timestamps=False) as samples:
@@ -125,7 +125,7 @@ async def test_after_a_reset_the_next_session_is_in_compact_form_again(kind: str
 
 
 @pytest.mark.asyncio
-async def test_a_shared_link_speaks_text_to_its_clients() -> None:
+async def test_a_shared_link_uses_text_with_its_clients() -> None:
     async with serve(URL, tcp=0) as served, unity_link.connect(served.urls[0]) as link:
         assert Feature.COMPACT not in link.gateway.features
         await link.write(1, 2)
@@ -134,14 +134,14 @@ async def test_a_shared_link_speaks_text_to_its_clients() -> None:
 
 @pytest.mark.parametrize("url", [f"{URL}&node=5", f"{URL}&flip=0.002&seed=3"])
 @on_simulated_time
-async def test_nodes_and_lines_that_damage_are_as_with_text(url: str) -> None:
+async def test_nodes_and_noisy_lines_work_as_with_text(url: str) -> None:
     async with unity_link.connect(url) as link:
         await link.write_many(range(200), range(200))
         assert (await link.read_many(range(200))).tolist() == list(range(200))
 
 
 class Overheard(Valve):
-    """Has what passes put into words."""
+    """Decodes the frames of both directions into words."""
 
     def __init__(self, gateway: BareGateway) -> None:
         super().__init__(gateway)
@@ -156,7 +156,7 @@ class Overheard(Valve):
 
 
 @on_simulated_time
-async def test_what_passes_is_explained_as_text() -> None:
+async def test_compact_frames_are_decoded_to_the_words_of_text_frames() -> None:
     overheard = Overheard(with_compact_form("sim"))
     async with unity_link.connect(overheard) as link:
         await link.write(0x0A, 42)
@@ -166,5 +166,5 @@ async def test_what_passes_is_explained_as_text() -> None:
     assert "damaged" not in words
 
 
-def test_without_the_feature_bytes_are_what_they_are() -> None:
+def test_bytes_of_the_compact_form_are_not_converted_without_the_feature() -> None:
     assert text_of(GatewayInfo(), from_gateway=True)(b"\xb5\x00\xca") == b"\xb5\x00\xca"

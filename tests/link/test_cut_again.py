@@ -1,4 +1,4 @@
-"""A connection that is lost again while a new session is being set up."""
+"""A connection that is lost again while the link is setting up a new session."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 OPENING = re.compile(rb"^K(?=[0-9A-F]{7})", re.MULTILINE)
-"""A `K` that begins a session: it has the fields i and s."""
+"""A `K` that opens a session: it has the fields i and s."""
 
 
 class CutInSecondSession(Valve):
@@ -44,13 +44,13 @@ QUICK = Reconnect(first_pause=0.01, longest_pause=0.1)
 
 
 @on_simulated_time
-async def test_a_link_that_is_cut_again_while_its_groups_wait_for_room_comes_back() -> None:
+async def test_a_link_cut_again_while_its_groups_wait_for_space_reconnects() -> None:
     gateway = CutInSecondSession(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))
     gateway.memory[1] = 7
     quick = Reconnect(first_pause=0.01, longest_pause=0.1)
     async with unity_link.connect(gateway, reconnect=quick) as link, link.subscribe([1], rate_hz=10) as samples:
         gateway.link = link
-        # More than a window: what sets the group up again waits behind them.
+        # The reads fill more than a window, so the requests that set up the group wait for space.
         reads = [asyncio.create_task(link.read(1)) for _ in range(200)]
         await asyncio.sleep(0)
         cut(link)
@@ -88,7 +88,7 @@ async def test_a_subscription_that_waits_for_the_gateway_ends_with_the_link() ->
 
 
 @on_simulated_time
-async def test_a_gateway_that_refuses_a_group_at_a_reconnection_is_asked_again() -> None:
+async def test_a_group_refused_at_a_reconnection_is_set_up_again() -> None:
     class Busy(Valve):
         refusals = 0
 
@@ -112,7 +112,7 @@ async def test_a_gateway_that_refuses_a_group_at_a_reconnection_is_asked_again()
 
 @pytest.mark.parametrize("many", [False, True])
 @on_simulated_time
-async def test_leaving_a_link_that_was_lost_for_good_tells_of_posted_writes(*, many: bool) -> None:
+async def test_leaving_a_lost_link_raises_the_errors_of_posted_writes(*, many: bool) -> None:
     async def post_and_lose() -> None:
         gateway = Valve(VirtualGateway())
         async with unity_link.connect(gateway) as link:
@@ -131,7 +131,7 @@ async def test_leaving_a_link_that_was_lost_for_good_tells_of_posted_writes(*, m
 
 
 @on_simulated_time
-async def test_a_link_that_the_program_closes_gives_up_posted_writes_without_a_word() -> None:
+async def test_closing_a_link_drops_posted_writes_without_an_error() -> None:
     gateway = Valve(VirtualGateway())
     async with unity_link.connect(gateway) as link:
         gateway.answers_pass = False

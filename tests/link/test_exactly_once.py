@@ -1,9 +1,9 @@
-"""Exactly once, in order: the whole host against each kind of gateway, over lines that lose, damage and double bytes.
+"""Exactly once, in order: the host on each kind of gateway, over lines that lose, damage and duplicate bytes.
 
-Everything runs on simulated time, so a seed takes milliseconds; a campaign goes through thousands. The bus behind the
-gateway remembers each access, and each write carries a word of its own. Most seeds use a CRC of 32 bits: one of 8 bits
-lets one damaged frame of 256 pass, so over thousands of seeds some damage must go unnoticed, whatever the host does.
-The seeds that run with the usual CRC of 8 bits are fixed ones, in which that does not happen.
+All tests run on simulated time, so a seed takes milliseconds and a campaign runs thousands of them. The bus behind the
+gateway records each access, and each write has a word of its own. Most seeds use a CRC of 32 bits: a CRC of 8 bits
+passes one damaged frame in 256, so over thousands of seeds some damage would inevitably go unnoticed. The seeds that
+run with a CRC of 8 or 16 bits are fixed, and in them the CRC finds all damage.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ ADDRESSES = 16
 
 
 class Program:
-    """A seeded program of calls on one link, and what the bus must have seen of it."""
+    """A seeded program of calls on one link, and the writes that the bus must have recorded."""
 
     def __init__(self, link: Link, seed: int) -> None:
         self._link = link
         self._random = random.Random(seed)
         self._value = 0
         self.expected: list[tuple[int, int]] = []
-        """Writes in the order of the calls, without those of batches, which take turns with other calls."""
+        """Writes in the order of the calls, except those of batches, which are interleaved with other calls."""
         self.batches: list[list[tuple[int, int]]] = []
         self._calls: list[Callable[[], Coroutine[Any, Any, None]]] = [
             self._write,
@@ -59,7 +59,7 @@ class Program:
         ]
 
     async def run(self) -> None:
-        """Make the calls one after the other, now and then waiting for all that are under way."""
+        """Make the calls one after another; at random, wait until all pending calls have returned."""
         tasks: list[asyncio.Task[None]] = []
         for _ in range(CALLS):
             tasks.append(asyncio.create_task(self._random.choice(self._calls)()))
@@ -121,7 +121,7 @@ def wait_for_nobody(gateway: Gateway) -> Gateway:
 async def run_program(
     seed: int, bare: BareGateway, chances: dict[str, float], line: Callable[[BareGateway], Gateway] = wait_for_nobody
 ) -> Program:
-    """Run the program of a seed, and compare what the bus saw with what was called."""
+    """Run the program of a seed, and compare the accesses that the bus recorded with the calls."""
     bus = RecordedBus(bare)
     noisy = NoisyLine(line(bare), Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
     async with unity_link.connect(noisy, timeout=3600) as link:
@@ -138,12 +138,12 @@ async def run_program(
 
 
 def spread(total: float) -> dict[str, float]:
-    """Return the chances of a byte to be lost, damaged or doubled, `total` together."""
+    """Return the probabilities that a byte is lost, damaged or duplicated; they add up to `total`."""
     return {"loss": total / 3, "flip": total / 3, "double": total / 3}
 
 
 def small_fifo(bare: BareGateway) -> Gateway:
-    """Put a slow line before a gateway, whose receive FIFO overflows unless the host counts."""
+    """Put a slow line before a gateway, whose receive FIFO overflows unless the host counts its bytes."""
     return SlowLine(bare, bytes_per_second=100_000)
 
 
@@ -171,7 +171,7 @@ def test_each_write_is_executed_exactly_once_and_in_order(
 
 @pytest.mark.slow
 @RATES
-def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(make_bare: Maker, total: float) -> None:
+def test_writes_are_executed_once_through_a_small_receive_fifo(make_bare: Maker, total: float) -> None:
     for seed in range(SEEDS):
         run_simulated(run_program(seed, make_bare(**WITHOUT_FLOW_CONTROL), spread(total), small_fifo))
 
@@ -179,7 +179,7 @@ def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(mak
 @pytest.mark.slow
 @RATES
 @pytest.mark.parametrize("fields", [SHORT, {}], ids=["8", "16"])
-def test_so_it_is_with_a_crc_of_fewer_bits_where_it_finds_the_damage(
+def test_writes_are_executed_once_with_a_short_crc_that_finds_the_damage(
     make_bare: Maker, fields: dict[str, int], total: float
 ) -> None:
     for seed in range(SEEDS):
@@ -196,8 +196,8 @@ def test_thousands_of_seeds_are_executed_exactly_once_and_in_order(make_bare: Ma
             run_simulated(run_program(seed, make_bare(**WITHOUT_FLOW_CONTROL), chances, small_fifo))
 
 
-def test_the_proof_can_fail() -> None:
-    """A gateway that forgets which request it expects executes twice, and that is seen."""
+def test_a_gateway_that_executes_twice_is_detected() -> None:
+    """A gateway that forgets the next expected ID executes requests twice, and the comparison finds it."""
 
     class Forgetful(VirtualGateway):
         def receive(self, data: bytes, now: float) -> bytes:

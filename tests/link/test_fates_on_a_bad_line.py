@@ -1,4 +1,4 @@
-"""On a line that loses and damages bytes each failed write is reported, and each event that a read takes is seen."""
+"""On a line that loses and damages bytes, each failed write is reported and each event that a read removes is seen."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ FORMS = pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"
 
 
 def maker_of(kind: str, *, compact: bool) -> tuple[Maker, dict[str, int]]:
-    """Return a maker of gateways, and the fields of one."""
+    """Return a maker of gateways, and the fields to build one with."""
     return MAKERS[kind], COMPACT if compact else SLOW
 
 
 async def write_some(link: Link, draw: random.Random) -> int:
-    """Write side by side, post, and compare what is reported; return the number of writes and posts that failed."""
+    """Write and post concurrently, and check the reported errors; return the number of failed writes and posts."""
     failing = {BUS_ERROR: BusError, BUS_TIMEOUT: BusTimeoutError}
     addresses = [draw.choice([BUS_ERROR, BUS_TIMEOUT, 1, 2]) for _ in range(draw.randrange(1, 40))]
     done = await asyncio.gather(*(link.write(address, 5) for address in addresses), return_exceptions=True)
@@ -49,7 +49,7 @@ async def write_some(link: Link, draw: random.Random) -> int:
 @pytest.mark.parametrize("amount", [300, pytest.param(30_000, marks=pytest.mark.campaign)])
 @FORMS
 @ON_BOTH
-def test_no_failed_write_or_post_is_reported_as_done_where_bytes_are_lost(
+def test_no_failed_write_or_post_is_reported_as_done_if_bytes_are_lost(
     kind: str, amount: int, *, compact: bool
 ) -> None:
     async def run() -> None:
@@ -66,9 +66,7 @@ def test_no_failed_write_or_post_is_reported_as_done_where_bytes_are_lost(
 @pytest.mark.parametrize("amount", [2_000, pytest.param(100_000, marks=pytest.mark.campaign)])
 @FORMS
 @ON_BOTH
-def test_no_event_of_a_queue_or_a_register_that_a_read_clears_is_lost_where_bytes_are_damaged(
-    kind: str, amount: int, *, compact: bool
-) -> None:
+def test_no_event_that_a_read_clears_is_lost_if_bytes_are_damaged(kind: str, amount: int, *, compact: bool) -> None:
     async def run() -> None:
         make, fields = maker_of(kind, compact=compact)
         gateway, draw, cleared = make(**fields), random.Random(4), Cleared()

@@ -1,4 +1,4 @@
-"""A gateway that floods its host: what is done for it in one turn of an event loop is bounded, and nothing is lost."""
+"""A gateway that floods its host: the work in one turn of an event loop is bounded, and no answer is lost."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ LINES = 5_000
 
 
 def _answer(listener: socket.socket, flood: bytes, *, before: bytes) -> None:
-    """Answer one host as a gateway does, with a flood before the first answer to what begins with `before`."""
+    """Answer one host as a gateway does; send a flood before the first answer to data that contains `before`."""
     gateway = VirtualGateway()
     gateway.memory[0x0A] = 42
     flooded = False
-    # A host that leaves while it is flooded resets the connection.
+    # A host that closes the connection during the flood resets it.
     with contextlib.suppress(ConnectionError), listener, listener.accept()[0] as connection:
         while data := connection.recv(65_536):
             if before in data and not flooded:
@@ -67,11 +67,11 @@ def flooding(flood: bytes, before: bytes = b"r") -> Iterator[str]:
 
 
 class Turns:
-    """Counts lines that are looked at one by one, and how many at most in a turn."""
+    """Counts the lines that are decoded one by one, and the largest number of them in one turn."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.lines = self.before = self.most = 0
-        # On a busy machine, what comes takes long.
+        # On a busy machine the flood takes long to arrive.
         monkeypatch.setattr(session, "FLOOD_PATIENCE", 60.0)
         for kind, name in ((ResponseReceiver, "_receive_next"), (Handshake, "_receive_line")):
             self._count(monkeypatch, kind, name)
@@ -118,7 +118,7 @@ def read_blocking(url: str | VirtualGateway, turns: Turns, monkeypatch: pytest.M
 
 @pytest.mark.parametrize("face", ["asyncio", "uvloop", "trio", "blocking"])
 @pytest.mark.parametrize("kind", FLOODS)
-def test_a_gateway_that_floods_has_little_done_in_a_turn_and_its_answers_are_taken(
+def test_a_flood_is_processed_in_small_shares_and_answers_are_received(
     kind: str, face: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     turns = Turns(monkeypatch)
@@ -132,7 +132,7 @@ def test_a_gateway_that_floods_has_little_done_in_a_turn_and_its_answers_are_tak
             with asyncio.Runner(loop_factory=loops[face]) as runner:
                 runner.run(read(url, turns))
     assert turns.lines > LINES // 2
-    # What arrives and what has waited can have a share each, and trio runs its tasks in any order.
+    # Newly arrived and deferred lines can use one share each, and trio runs its tasks in any order.
     assert turns.most <= 4 * MOST_LINES
 
 
@@ -152,7 +152,7 @@ class FloodingGateway(VirtualGateway):
         return flood + answered
 
 
-def test_datagrams_full_of_lines_have_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_datagrams_full_of_lines_are_processed_in_small_shares(monkeypatch: pytest.MonkeyPatch) -> None:
     async def serve_and_read() -> None:
         async with serve_udp(FloodingGateway()) as url:
             await read(url, turns)
@@ -163,14 +163,14 @@ def test_datagrams_full_of_lines_have_little_done_in_a_turn(monkeypatch: pytest.
     assert turns.most <= 4 * MOST_LINES
 
 
-def test_a_medium_in_a_thread_of_its_own_has_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_flood_from_a_medium_in_a_thread_is_processed_in_small_shares(monkeypatch: pytest.MonkeyPatch) -> None:
     turns = Turns(monkeypatch)
     read_blocking(FloodingGateway(), turns, monkeypatch)
     assert turns.lines > LINES // 2
     assert turns.most <= 4 * MOST_LINES
 
 
-def test_a_flood_before_a_session_has_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_flood_before_a_session_is_processed_in_small_shares(monkeypatch: pytest.MonkeyPatch) -> None:
     turns = Turns(monkeypatch)
     with flooding(b"a\n" * LINES, before=b"Q") as url:
         asyncio.run(read(url, turns))
@@ -178,8 +178,8 @@ def test_a_flood_before_a_session_has_little_done_in_a_turn(monkeypatch: pytest.
     assert turns.most <= 2 * MOST_LINES
 
 
-def test_what_arrived_before_the_end_of_a_connection_is_taken_before_the_end_is_told() -> None:
-    """The answer stands behind a flood, and the connection ends behind it."""
+def test_answers_before_the_end_of_a_connection_are_received() -> None:
+    """A flood precedes the answer, and the connection ends right after the answer."""
 
     def answer(listener: socket.socket) -> None:
         gateway = VirtualGateway()

@@ -17,7 +17,7 @@ FAILING = 0x44
 
 
 @on_simulated_time
-async def test_nothing_is_sent_while_an_answer_is_owed() -> None:
+async def test_no_request_is_sent_while_an_answer_is_pending() -> None:
     gateway = VirtualGateway(PAIR)
     bus = RecordedBus(gateway, failing=frozenset({FAILING}))
     pair = SharedPair(gateway)
@@ -43,7 +43,7 @@ async def test_nothing_is_sent_while_an_answer_is_owed() -> None:
 
 
 @on_simulated_time
-async def test_an_error_of_a_posted_write_is_told_by_the_fence() -> None:
+async def test_the_fence_reports_an_error_of_a_posted_write() -> None:
     gateway = VirtualGateway(PAIR)
     RecordedBus(gateway, failing=frozenset({FAILING}))
     async with unity_link.connect(gateway) as link:

@@ -1,4 +1,4 @@
-"""A reader that wants the newest sample alone gets none that was taken before a pause."""
+"""A reader that wants only the newest sample gets none that was taken before a pause."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ if TYPE_CHECKING:
 CLOCK_HZ = 50_000_000
 BASE_HZ = 1000
 ON_WAY = 0.001
-"""Seconds that a sample is on its way."""
+"""Seconds that a sample takes to arrive."""
 
 
 class Host:
-    """The host's side of a group whose newest sample alone is wanted.
+    """The host's side of a group from which only the newest sample is wanted.
 
     Args:
-        divisor: of the group.
-        stamped: samples have timestamps.
-        callback: takes the samples.
-        flags: of the group, besides.
+        divisor: divisor of the group.
+        stamped: if true, samples have timestamps.
+        callback: receives the samples.
+        flags: further flags of the group.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class Host:
         self._period, self._stamped = divisor / BASE_HZ, stamped
 
     def read(self, now: float, numbers: Sequence[int]) -> None:
-        """Take the samples of these numbers, all at once."""
+        """Receive the samples with these numbers, all at once."""
         self.now = now
         bodies = [self._body(number) for number in numbers]
         if len(bodies) == 1:
@@ -92,7 +92,7 @@ class Host:
     stamped=st.booleans(),
 )
 @settings(max_examples=examples(40), deadline=None)
-def test_what_waited_over_a_pause_is_not_given_and_what_follows_is(
+def test_samples_taken_before_a_pause_are_dropped_and_later_ones_returned(
     divisor: int, pause: float, kept: float, chunk: int, stamped: bool
 ) -> None:
     host, period = Host(divisor, stamped=stamped), divisor / BASE_HZ
@@ -102,7 +102,7 @@ def test_what_waited_over_a_pause_is_not_given_and_what_follows_is(
     began = 49 * period + ON_WAY
     resumed = began + max(pause, 10 * period)
     first_after = int(resumed / period) + 1
-    # How long a sample is on its way cannot be known: one that was taken so shortly before counts as taken behind.
+    # The time that a sample takes to arrive is unknown: one taken shortly before the resumption counts as newer.
     waited = range(50, 50 + int((int((resumed - 2 * ON_WAY) / period) - 50) * kept))
     now, given = resumed, []
     for start in range(0, len(waited), chunk):
@@ -113,7 +113,7 @@ def test_what_waited_over_a_pause_is_not_given_and_what_follows_is(
     for number in after:
         host.read(number * period + ON_WAY, [number])
         given += host.given()
-    # Without timestamps, losses of a round are not seen, so the samples seem old until they are seen to come steadily.
+    # Without timestamps the losses of a whole lap of numbers are invisible: samples seem old until they come steadily.
     late = 2 if stamped else 2 + int(1.1 / period) + 16
     assert given == after[after.index(given[0]) :]
     assert after.index(given[0]) <= late
@@ -122,7 +122,7 @@ def test_what_waited_over_a_pause_is_not_given_and_what_follows_is(
         assert host.receiver.lost == after[-1] + 1 - 1 - len(given)
 
 
-def test_lost_of_the_first_sample_behind_a_pause_counts_those_that_were_held_back() -> None:
+def test_lost_of_the_first_sample_after_a_pause_counts_dropped_samples() -> None:
     given: list[Sample] = []
     host = Host(10, callback=given.append)
     for number in range(10):
@@ -135,7 +135,7 @@ def test_lost_of_the_first_sample_behind_a_pause_counts_those_that_were_held_bac
 
 
 @pytest.mark.asyncio
-async def test_a_sample_that_waited_for_its_reader_over_a_pause_is_not_given() -> None:
+async def test_a_sample_taken_before_a_pause_does_not_wake_its_reader() -> None:
     host = Host(10)
     host.read(ON_WAY, [0])
     host.now = 30.0
@@ -151,7 +151,7 @@ async def test_a_sample_that_waited_for_its_reader_over_a_pause_is_not_given() -
 
 
 @pytest.mark.parametrize("stamped", [True, False])
-def test_a_line_that_is_later_from_now_on_gives_samples_again(stamped: bool) -> None:
+def test_samples_are_returned_again_on_a_line_with_a_longer_delay(stamped: bool) -> None:
     host = Host(10, stamped=stamped)
     for number in range(100):
         host.read(number / 100 + ON_WAY, [number])
@@ -161,7 +161,7 @@ def test_a_line_that_is_later_from_now_on_gives_samples_again(stamped: bool) -> 
         assert bool(host.given()) == (number >= 140)
 
 
-def test_a_line_that_brings_samples_in_batches_gives_one_of_each() -> None:
+def test_the_last_sample_of_each_burst_is_returned() -> None:
     host, given = Host(1), []
     for batch in range(100):
         host.read(batch * 0.12 + 0.12 + ON_WAY, range(batch * 120, batch * 120 + 120))
@@ -170,7 +170,7 @@ def test_a_line_that_brings_samples_in_batches_gives_one_of_each() -> None:
     assert len(given) > 90
 
 
-def test_of_samples_on_a_change_the_last_is_given_however_old_it_is() -> None:
+def test_the_last_sample_on_a_change_is_returned_even_if_it_is_old() -> None:
     host = Host(10, flags=GroupFlag.PERIODIC | GroupFlag.ON_CHANGE)
     host.read(ON_WAY, [0])
     host.given()
@@ -179,7 +179,7 @@ def test_of_samples_on_a_change_the_last_is_given_however_old_it_is() -> None:
 
 
 @pytest.mark.parametrize("serve_on", [serve_pty, serve_tcp])
-def test_a_loop_that_was_blocked_gets_a_sample_that_was_taken_when_it_had_ended(
+def test_a_blocked_loop_gets_a_sample_that_was_taken_afterwards(
     serve_on: Callable[[VirtualGateway], AbstractAsyncContextManager[str]],
 ) -> None:
     gateway, changed, over = VirtualGateway(), threading.Event(), threading.Event()

@@ -1,4 +1,4 @@
-"""The life of a link: its beginning, the calls that wait when it ends, and its reopening. Time is simulated."""
+"""The life of a link: its opening, the calls that wait when it ends, and its reopening. Time is simulated."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 INFO = GatewayInfo(base_frequency_millihertz=1_000_000)
 
 
-def test_pauses_that_cannot_be_are_refused_before_a_connection_is_lost() -> None:
+def test_impossible_pauses_are_refused_before_a_connection_is_lost() -> None:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"first_pause": "1"}, "first_pause is a number of seconds above 0, not '1'"),
         ({"first_pause": 0}, "first_pause is a number of seconds above 0, not 0"),
@@ -80,14 +80,14 @@ def now() -> float:
 
 
 def transport_under_test() -> asyncio.Transport:
-    """Return the open transport of this loop's gateway, which a driver would have."""
+    """Return the open transport of this loop's gateway, which is otherwise internal to the driver."""
     loop = asyncio.get_running_loop()
     found = [thing for thing in gc.get_objects() if isinstance(thing, GatewayTransport) and thing._loop is loop]
     return next(thing for thing in found if not thing.is_closing())
 
 
 class Answering:
-    """Peer at the other end that is no gateway: answers each read by a function of it."""
+    """A peer that is no gateway; a function computes its answer to each read."""
 
     memory: dict[int, int]
     next_due = None
@@ -112,7 +112,7 @@ class Answering:
 
 
 @on_simulated_time
-async def test_where_nothing_answers_the_error_says_what_was_tried_and_what_to_check() -> None:
+async def test_the_error_without_an_answer_says_what_to_check() -> None:
     start = now()
     with pytest.raises(
         ConnectError, match=r"no gateway answered at .* within 3 s; nothing arrived: check that"
@@ -124,7 +124,7 @@ async def test_where_nothing_answers_the_error_says_what_was_tried_and_what_to_c
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_noise_is_no_answer_and_the_error_counts_it() -> None:
+async def test_noise_is_no_answer_and_the_error_counts_its_bytes() -> None:
     source = random.Random(1)
     with pytest.raises(ConnectError, match=r"within 60 s; \d+ bytes arrived, none of them an answer: check the speed"):
         await unity_link.connect(Answering(lambda _: source.randbytes(300)), timeout=60)
@@ -141,7 +141,7 @@ async def test_a_line_that_changes_cr_or_lf_is_named(name: str, direction: str, 
 
 @pytest.mark.parametrize("direction", DIRECTIONS)
 @on_simulated_time
-async def test_a_line_that_makes_cr_lf_of_cr_does_no_harm(direction: str) -> None:
+async def test_a_line_that_turns_cr_into_cr_lf_does_no_harm(direction: str) -> None:
     # An empty frame is ignored.
     async with unity_link.connect(ChangedLine(VirtualGateway(), CR_LF_FOR_CR, direction), timeout=2) as link:
         await link.write(0x10, 5)
@@ -179,7 +179,7 @@ async def test_minutes_of_noise_take_no_memory(make_bare: Maker) -> None:
             assert await link.read(1) == 2
 
 
-def test_a_link_that_nobody_closed_is_warned_of() -> None:
+def test_an_unclosed_link_causes_a_warning() -> None:
     async def forget() -> None:
         await (await unity_link.connect("sim:")).read(0)
 
@@ -189,7 +189,7 @@ def test_a_link_that_nobody_closed_is_warned_of() -> None:
 
 
 @on_simulated_time
-async def test_a_line_that_gives_back_what_it_is_sent_is_named_as_no_gateway() -> None:
+async def test_the_error_on_a_line_that_echoes_names_the_echo() -> None:
     async def connect_to_echo() -> None:
         echo = SlowEcho()
         await unity_link.connect(echo, timeout=2)
@@ -199,7 +199,7 @@ async def test_a_line_that_gives_back_what_it_is_sent_is_named_as_no_gateway() -
 
 
 class SlowEcho(Answering):
-    """A line whose two wires touch: each byte comes back a little later."""
+    """A line with a short circuit between its wires: each byte returns a little later."""
 
     def __init__(self) -> None:
         super().__init__(lambda data: b"")
@@ -234,7 +234,7 @@ async def test_a_later_protocol_version_is_refused_with_what_to_install() -> Non
     [("data_bits", 65), ("address_bits", 40), ("id_digits", 5), ("crc_bits", 12), ("base_frequency_millihertz", 0)],
 )
 @on_simulated_time
-async def test_numbers_that_cannot_be_are_refused_with_their_value(field: str, value: int) -> None:
+async def test_impossible_numbers_are_refused_with_their_value(field: str, value: int) -> None:
     answer = b"Q" + msgspec.structs.replace(INFO, **{field: value}).to_hex() + b"\r\n"
     with pytest.raises(UnsupportedError, match=f"{field} = {value}|{value} bits"):
         await unity_link.connect(Answering(lambda _: answer))
@@ -257,7 +257,7 @@ async def test_fields_that_a_later_gateway_appends_are_ignored(make_bare: Maker)
 
 
 @on_simulated_time
-async def test_a_plain_answer_that_the_checked_one_denies_is_not_believed(make_bare: Maker) -> None:
+async def test_a_plain_answer_that_differs_from_the_checked_one_is_ignored(make_bare: Maker) -> None:
     gateway, lies = make_bare(**SLOW), 3
 
     def sometimes_lying(data: bytes) -> bytes:
@@ -273,8 +273,8 @@ async def test_a_plain_answer_that_the_checked_one_denies_is_not_believed(make_b
 
 @pytest.mark.parametrize("frames", [0, 1, 2])
 @on_simulated_time
-async def test_a_connection_that_ends_in_the_handshake_is_an_error_at_once(make_bare: Maker, frames: int) -> None:
-    """After the plain Q, the checked Q, or before both."""
+async def test_a_connection_that_ends_in_the_handshake_raises_at_once(make_bare: Maker, frames: int) -> None:
+    """The connection ends before both answers, after the plain Q, or after the checked Q."""
     gateway = Valve(make_bare(**SLOW))
     connecting = asyncio.ensure_future(connected(gateway))
     await asyncio.sleep(0)
@@ -292,7 +292,7 @@ async def connected(gateway: Any) -> Link:
 
 
 @on_simulated_time
-async def test_a_cancelled_connect_leaves_nothing_behind() -> None:
+async def test_a_cancelled_connect_leaves_no_task_or_connection() -> None:
     before = asyncio.all_tasks()
     with anyio.move_on_after(0.5) as scope:
         await unity_link.connect(Answering(lambda _: b""))
@@ -301,7 +301,7 @@ async def test_a_cancelled_connect_leaves_nothing_behind() -> None:
 
 
 @on_simulated_time
-async def test_what_an_earlier_program_left_unfinished_does_no_harm(make_bare: Maker) -> None:
+async def test_an_unfinished_frame_of_an_earlier_program_does_no_harm(make_bare: Maker) -> None:
     gateway = make_bare(**SLOW)
     gateway.receive(b"W0A0000", 0.0)
     async with unity_link.connect(gateway) as link:
@@ -327,7 +327,7 @@ async def test_samples_of_an_earlier_program_stop_with_the_new_session(make_bare
     ],
 )
 @on_simulated_time
-async def test_a_url_that_cannot_be_is_one_clear_error(url: str) -> None:
+async def test_an_impossible_url_is_refused_with_one_clear_error(url: str) -> None:
     with pytest.raises(ArgumentError):
         await unity_link.connect(url)
 
@@ -347,7 +347,7 @@ async def test_a_node_of_a_shared_medium_is_chosen_in_the_url(url: str) -> None:
 
 
 @pytest.mark.parametrize("node", ["-1", "255", "x"])
-def test_a_node_that_cannot_be_is_one_clear_error(node: str) -> None:
+def test_an_impossible_node_is_refused_with_one_clear_error(node: str) -> None:
     with pytest.raises(ArgumentError, match=f"node={node}"):
         _ = parse_url(f"sim:?node={node}").node
 
@@ -371,7 +371,7 @@ CALLS: dict[str, Callable[[Link], Awaitable[object]]] = {
 
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
 @on_simulated_time
-async def test_closing_raises_in_every_call_that_waits(
+async def test_closing_a_link_raises_in_every_call_that_waits(
     make_bare: Maker, call: Callable[[Link], Awaitable[object]]
 ) -> None:
     gateway = Valve(make_bare(**SLOW))
@@ -386,14 +386,14 @@ async def test_closing_raises_in_every_call_that_waits(
 
 
 @on_simulated_time
-async def test_closing_twice_and_from_two_tasks_is_one_end(make_bare: Maker) -> None:
+async def test_a_link_closed_twice_or_by_two_tasks_ends_once(make_bare: Maker) -> None:
     link = await unity_link.connect(make_bare(**SLOW))
     await asyncio.gather(link.aclose(), link.aclose())
     await link.aclose()
 
 
 @on_simulated_time
-async def test_no_task_outlives_its_link_or_is_there_while_it_lives(make_bare: Maker) -> None:
+async def test_a_link_has_no_task_while_it_is_open_or_afterwards(make_bare: Maker) -> None:
     before = asyncio.all_tasks()
     async with (
         unity_link.connect(make_bare(**SLOW), reconnect=True) as link,
@@ -414,7 +414,7 @@ async def test_no_task_outlives_its_link_or_is_there_while_it_lives(make_bare: M
 @pytest.mark.parametrize("call", CALLS.values(), ids=CALLS)
 @pytest.mark.parametrize("style", ["asyncio", "anyio", "task"])
 @on_simulated_time
-async def test_a_cancelled_call_leaves_the_others_as_they_are(
+async def test_a_cancelled_call_does_not_disturb_the_others(
     make_bare: Maker, call: Callable[[Link], Awaitable[object]], style: str
 ) -> None:
     gateway = Valve(make_bare(**SLOW))
@@ -443,7 +443,7 @@ async def test_a_cancelled_call_leaves_the_others_as_they_are(
 
 
 @on_simulated_time
-async def test_a_write_that_was_cancelled_before_it_was_executed_leaves_the_bus_alone_when_it_was_lost(
+async def test_a_cancelled_write_that_was_lost_is_not_executed(
     make_bare: Maker,
 ) -> None:
     model = make_bare(**SLOW)
@@ -462,7 +462,7 @@ async def test_a_write_that_was_cancelled_before_it_was_executed_leaves_the_bus_
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_posted_write_that_was_cancelled_while_it_waited_for_room_was_never_sent(make_bare: Maker) -> None:
+async def test_a_posted_write_cancelled_while_it_waits_for_space_is_not_sent(make_bare: Maker) -> None:
     model = make_bare(**SLOW)
     bus, gateway = RecordedBus(model), Valve(model)
     async with unity_link.connect(gateway) as link:
@@ -496,7 +496,7 @@ async def test_the_rest_of_a_cancelled_batch_is_not_sent(make_bare: Maker) -> No
 
 
 @on_simulated_time
-async def test_a_gateway_that_falls_silent_ends_the_link_after_a_bounded_number_of_tries(make_bare: Maker) -> None:
+async def test_a_silent_gateway_ends_the_link_after_a_bounded_number_of_tries(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway) as link:
         gateway.requests_pass = gateway.answers_pass = False
@@ -508,8 +508,8 @@ async def test_a_gateway_that_falls_silent_ends_the_link_after_a_bounded_number_
 
 
 @on_simulated_time
-async def test_a_link_of_which_only_samples_arrive_ends_too() -> None:
-    # Minutes of samples: the model alone makes them at once, and to the link one is as good as the other.
+async def test_a_link_that_receives_only_samples_ends_too() -> None:
+    # Minutes of samples: only the model produces them quickly enough, and the link cannot distinguish it from gateware.
     gateway = Valve(simulated(**SLOW))
     async with unity_link.connect(gateway) as link, link.subscribe([0], rate_hz=100) as samples:
         gateway.requests_pass = False
@@ -523,7 +523,7 @@ async def test_a_link_of_which_only_samples_arrive_ends_too() -> None:
 
 
 @on_simulated_time
-async def test_a_request_that_is_damaged_each_time_is_given_up_and_those_behind_it_go_on(make_bare: Maker) -> None:
+async def test_a_request_that_is_always_damaged_is_given_up_and_others_go_on(make_bare: Maker) -> None:
     class Hole(Valve):
         def receive(self, data: bytes, now: float) -> bytes:
             frames = data.splitlines(keepends=True)
@@ -541,7 +541,7 @@ async def test_a_request_that_is_damaged_each_time_is_given_up_and_those_behind_
 
 
 @on_simulated_time
-async def test_a_request_that_the_gateway_does_not_know_is_given_up_by_name(make_bare: Maker) -> None:
+async def test_the_error_for_a_request_unknown_to_the_gateway_names_it(make_bare: Maker) -> None:
     class Older(Valve):
         def receive(self, data: bytes, now: float) -> bytes:
             refusal = Codec(self.info).framing.checked(b"X02")
@@ -558,7 +558,7 @@ async def test_a_request_that_the_gateway_does_not_know_is_given_up_by_name(make
 
 
 @on_simulated_time
-async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: Maker) -> None:
+async def test_the_errors_of_a_lost_connection_have_the_outcome_of_each_request(make_bare: Maker) -> None:
     model = make_bare(**SLOW)
     bus, gateway = RecordedBus(model), Valve(model)
     async with unity_link.connect(gateway) as link:
@@ -566,7 +566,7 @@ async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: M
         executed = asyncio.ensure_future(link.write(1, 1))
         await asyncio.sleep(0)
         await asyncio.sleep(0)
-        # The gateway says by `n` that it has executed the first; the second is lost on its way.
+        # The gateway reports by `n` that it has executed the first write; the second write is lost.
         gateway.requests_pass = False
         unknown = asyncio.ensure_future(link.write(2, 2))
         await asyncio.sleep(0)
@@ -593,7 +593,7 @@ async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: M
     ids=["batch", "queue"],
 )
 @on_simulated_time
-async def test_what_was_cut_in_the_middle_is_called_neither_executed_nor_not(
+async def test_the_outcome_of_a_batch_cut_in_the_middle_is_unknown(
     make_bare: Maker, call: Callable[[Link], Awaitable[object]], answers_pass: bool
 ) -> None:
     line = Valve(SlowLine(make_bare(**SLOW), 20_000))
@@ -607,7 +607,7 @@ async def test_what_was_cut_in_the_middle_is_called_neither_executed_nor_not(
 
 
 @on_simulated_time
-async def test_posted_writes_under_way_raise_in_the_fence_that_waits(make_bare: Maker) -> None:
+async def test_posted_writes_in_flight_raise_in_the_waiting_fence(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway) as link:
         gateway.requests_pass = False
@@ -621,7 +621,7 @@ async def test_posted_writes_under_way_raise_in_the_fence_that_waits(make_bare: 
 
 
 @on_simulated_time
-async def test_a_subscription_ends_behind_the_samples_that_came_before_the_loss(make_bare: Maker) -> None:
+async def test_a_subscription_ends_after_the_samples_from_before_the_loss(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0], rate_hz=100) as samples:
         await asyncio.sleep(0.105)
         cut(link)
@@ -641,7 +641,7 @@ async def test_a_subscription_ends_behind_the_samples_that_came_before_the_loss(
 
 
 @on_simulated_time
-async def test_after_a_reconnection_reads_are_repeated_and_what_was_not_sent_is_sent(make_bare: Maker) -> None:
+async def test_reads_and_unsent_requests_are_sent_after_a_reconnection(make_bare: Maker) -> None:
     model = make_bare(**SLOW)
     bus, gateway = RecordedBus(model), Valve(model)
     async with unity_link.connect(gateway, reconnect=True) as link:
@@ -673,7 +673,7 @@ async def test_after_a_reconnection_reads_are_repeated_and_what_was_not_sent_is_
 
 
 @on_simulated_time
-async def test_subscriptions_are_set_up_again_and_count_on(make_bare: Maker) -> None:
+async def test_subscriptions_are_set_up_again_and_continue_to_count(make_bare: Maker) -> None:
     async with (
         unity_link.connect(make_bare(**SLOW), reconnect=True) as link,
         link.subscribe([0], rate_hz=100) as samples,
@@ -689,7 +689,7 @@ async def test_subscriptions_are_set_up_again_and_count_on(make_bare: Maker) -> 
 
 
 @on_simulated_time
-async def test_pauses_between_attempts_double_up_to_the_longest_and_then_the_link_is_lost(make_bare: Maker) -> None:
+async def test_pauses_between_attempts_double_up_to_the_longest(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     times: list[float] = []
 
@@ -717,7 +717,7 @@ async def test_pauses_between_attempts_double_up_to_the_longest_and_then_the_lin
 
 @on_simulated_time
 @pytest.mark.parametrize("seconds", [0.05, 0.5, 7.0])
-async def test_the_link_is_lost_for_good_after_the_time_that_was_said(make_bare: Maker, seconds: float) -> None:
+async def test_reconnection_is_given_up_after_the_given_time(make_bare: Maker, seconds: float) -> None:
     gateway = Valve(make_bare(**SLOW))
     options = Reconnect(first_pause=0.02, give_up_after=seconds)
     async with unity_link.connect(gateway, reconnect=options) as link:
@@ -730,7 +730,7 @@ async def test_the_link_is_lost_for_good_after_the_time_that_was_said(make_bare:
 
 
 @on_simulated_time
-async def test_an_attempt_to_open_again_has_the_time_of_the_first_however_short_the_pauses_are(
+async def test_a_reconnection_attempt_has_the_time_of_the_first_attempt(
     make_bare: Maker,
 ) -> None:
     line = SlowLine(make_bare(**SLOW), bytes_per_second=400)
@@ -744,11 +744,11 @@ async def test_an_attempt_to_open_again_has_the_time_of_the_first_however_short_
 
 
 class Dying(Valve):
-    """Answers each connection, and has it lost some time later.
+    """Accepts each connection, and loses it after a given time.
 
     Args:
-        gateway: what is behind.
-        lives: seconds that connections last, one after the other; then they last.
+        gateway: gateway that the connections lead to.
+        lives: seconds that successive connections last; later ones last without a limit.
     """
 
     def __init__(self, gateway: Gateway, lives: list[float]) -> None:
@@ -765,7 +765,7 @@ class Dying(Valve):
 
 
 @on_simulated_time
-async def test_reconnections_that_succeed_and_die_at_once_get_a_growing_pause_and_one_that_lasts_none(
+async def test_pauses_grow_if_new_connections_are_lost_at_once(
     make_direct: Maker,
 ) -> None:
     at_once, lasting = [0.01] * 8, [30.0]
@@ -774,7 +774,7 @@ async def test_reconnections_that_succeed_and_die_at_once_get_a_growing_pause_an
         await asyncio.sleep(60)
         assert await link.read(0) == 0
         assert link.statistics.reconnections == 10
-        # Without the pauses of one chosen at random that is added to each.
+        # A random pause of up to 0.1 s is added to each of these.
         pauses = [after - before for before, after in itertools.pairwise(gateway.opened)]
     assert pauses[0] == pytest.approx(1, abs=0.01)
     for pause, doubled in zip(pauses[1:9], [0.1, 0.2, 0.4, 0.8, 1.6, 2, 2, 2], strict=True):
@@ -784,7 +784,7 @@ async def test_reconnections_that_succeed_and_die_at_once_get_a_growing_pause_an
 
 @on_simulated_time
 @pytest.mark.parametrize("error", [KeyError("idle_for"), RuntimeError("no such device"), asyncio.CancelledError()])
-async def test_an_attempt_that_fails_in_a_way_that_nobody_foresaw_is_told_and_followed_by_another(
+async def test_an_unexpected_error_of_an_attempt_is_logged_and_retried(
     make_direct: Maker, error: BaseException, caplog: pytest.LogCaptureFixture
 ) -> None:
     class Failing(Dying):
@@ -801,7 +801,7 @@ async def test_an_attempt_that_fails_in_a_way_that_nobody_foresaw_is_told_and_fo
         assert link.statistics.reconnections == 1
         assert len(gateway.opened) == 4
         told = [record for record in caplog.records if record.levelname == "ERROR"]
-        # One that the driver's task raises, as if the link was cancelled, is an error of the driver.
+        # A CancelledError from the driver's task is an error of the driver: the link itself was not cancelled.
         is_told = isinstance(error, Exception)
         assert [record.exc_info and record.exc_info[1] for record in told] == [error] * (2 if is_told else 0)
 
@@ -823,7 +823,7 @@ async def test_calls_that_are_given_up_while_the_gateway_is_away_are_not_kept(ma
 
 
 @on_simulated_time
-async def test_another_gateway_after_the_reconnection_ends_the_link(make_bare: Maker) -> None:
+async def test_a_different_gateway_after_the_reconnection_ends_the_link(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         gateway.gateway = make_bare(build_id=0xCAFE)
@@ -833,7 +833,7 @@ async def test_another_gateway_after_the_reconnection_ends_the_link(make_bare: M
 
 
 @on_simulated_time
-async def test_a_connection_that_is_lost_again_and_again_while_subscriptions_are_set_up_comes_back_in_the_end(
+async def test_a_connection_lost_repeatedly_during_set_up_recovers(
     make_bare: Maker,
 ) -> None:
     gateway = Valve(make_bare(**SLOW))
@@ -859,7 +859,7 @@ async def test_a_connection_that_is_lost_again_and_again_while_subscriptions_are
 async def test_a_subscription_that_begins_when_the_gateway_goes_away_waits_for_it(make_bare: Maker, turns: int) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
-        # Before, while and after each of its requests is under way.
+        # The gateway disappears before, while and after each of the requests is in flight.
         beginning = asyncio.ensure_future(link.subscribe([0], rate_hz=100).__aenter__())
         for _ in range(turns):
             await asyncio.sleep(0)
@@ -868,7 +868,7 @@ async def test_a_subscription_that_begins_when_the_gateway_goes_away_waits_for_i
         await asyncio.sleep(3)
         gateway.requests_pass = True
         samples = await beginning
-        # The first may have come before.
+        # The first sample may have arrived before the loss.
         _, second, third = [await anext(samples) for _ in range(3)]
         assert third.sequence == second.sequence + 1
         assert link.statistics.reconnections == 1
@@ -907,26 +907,26 @@ async def test_a_subscription_may_end_while_the_link_is_down(make_bare: Maker) -
 
 
 @on_simulated_time
-async def test_a_subscription_ends_though_the_gateway_says_nothing_any_more(make_bare: Maker) -> None:
+async def test_a_subscription_ends_even_if_the_gateway_is_silent(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         waiting = []
         async with link.subscribe([0], rate_hz=10) as samples:
             await anext(samples)
             gateway.requests_pass = False
-            # More than are under way at a time: that to stop the group waits behind them.
+            # More requests than may be in flight: the one that stops the group waits after them.
             waiting = [asyncio.ensure_future(link.read(0)) for _ in range(1000)]
             await asyncio.sleep(0)
         assert not link.connected
         gateway.requests_pass = True
-        # Some had been given up before the link was.
+        # The link gave up some requests before it was lost.
         outcomes = await asyncio.gather(*waiting, return_exceptions=True)
         assert outcomes.count(0) > 900
         assert await link.read(0) == 0
 
 
 @on_simulated_time
-async def test_closing_while_the_link_is_down_raises_in_those_that_wait(make_bare: Maker) -> None:
+async def test_closing_while_the_link_is_down_raises_in_waiting_calls(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         gateway.requests_pass = False
@@ -943,7 +943,7 @@ async def test_closing_while_the_link_is_down_raises_in_those_that_wait(make_bar
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_ten_thousand_mixed_requests_finish_with_one_percent_of_bytes_damaged_both_ways(make_bare: Maker) -> None:
+async def test_ten_thousand_requests_finish_with_one_percent_of_bytes_damaged(make_bare: Maker) -> None:
     gateway = NoisyLine(make_bare(**SLOW), Noise(20, flip=0.01), Noise(21, flip=0.01))
     async with unity_link.connect(gateway, timeout=600) as link:
 
@@ -978,7 +978,7 @@ async def test_ten_thousand_mixed_requests_finish_with_one_percent_of_bytes_dama
 
 @pytest.mark.parametrize("bytes_per_second", [960, 11_520, 100_000])
 @on_simulated_time
-async def test_long_answers_on_a_slow_line_of_unknown_speed_are_waited_for(
+async def test_a_link_waits_for_long_answers_on_a_line_of_unknown_speed(
     make_bare: Maker, bytes_per_second: int
 ) -> None:
     async with unity_link.connect(SlowLine(make_bare(**SLOW), bytes_per_second), timeout=60) as link:
@@ -1032,7 +1032,7 @@ SOUND = [
     "",
     "R",
 ]
-"""Bodies, with the ID of a request under way, another one, one that is too short, and one that is none."""
+"""Bodies with the ID of a request in flight, with another ID, with one that is too short, and with no valid ID."""
 
 
 async def connected_with_ids(gateway: Valve) -> tuple[Link, list[bytes]]:
@@ -1046,7 +1046,7 @@ async def connected_with_ids(gateway: Valve) -> tuple[Link, list[bytes]]:
 
 @pytest.mark.parametrize("body", SOUND)
 @on_simulated_time
-async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(make_bare: Maker, body: str) -> None:
+async def test_a_valid_frame_without_a_request_does_no_harm(make_bare: Maker, body: str) -> None:
     link, ids = await connected_with_ids(Valve(make_bare(**SLOW)))
     async with link:
         assert link._flow.stream is not None
@@ -1061,7 +1061,7 @@ async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(make_bare: Maker
 
 
 @on_simulated_time
-async def test_an_error_that_does_not_exist_is_raised_with_its_number(make_bare: Maker) -> None:
+async def test_an_unknown_error_code_is_raised_with_its_number(make_bare: Maker) -> None:
     link, ids = await connected_with_ids(Valve(make_bare(**SLOW)))
     async with link:
         assert link._flow.stream is not None
@@ -1074,7 +1074,7 @@ async def test_an_error_that_does_not_exist_is_raised_with_its_number(make_bare:
 
 
 @on_simulated_time
-async def test_an_answer_of_another_length_or_command_is_not_taken(make_bare: Maker) -> None:
+async def test_an_answer_of_another_length_or_command_is_ignored(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     link, (first, second, *_) = await connected_with_ids(valve)
     async with link:
@@ -1094,7 +1094,7 @@ async def test_an_answer_of_another_length_or_command_is_not_taken(make_bare: Ma
 
 
 @on_simulated_time
-async def test_the_end_of_a_link_is_not_an_error_of_a_subscription_whose_leaving_was_cancelled(
+async def test_the_end_of_a_link_is_no_error_of_a_subscription_left_by_a_cancel(
     make_direct: Maker,
 ) -> None:
     valve = Valve(make_direct(**SLOW))

@@ -1,4 +1,4 @@
-"""A request that is alone in flight: its task goes on with the answer, not a turn of the event loop later."""
+"""A single outstanding request: its task resumes with the answer, not a turn of the event loop later."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ PLACE: ContextVar[str] = ContextVar("PLACE", default="outside")
 
 
 def watch(link: Link, look: Callable[[], object]) -> list[object]:
-    """Return what `look` gives each time when something has arrived and was dealt with."""
+    """Return a list of the results of `look`, which is called after each time that arriving bytes were processed."""
     receive, seen = link._flow.receive, []
 
     def receive_and_look(data: bytes) -> None:
@@ -48,7 +48,7 @@ def watch(link: Link, look: Callable[[], object]) -> list[object]:
 
 
 @on_simulated_time
-async def test_its_task_goes_on_when_the_answer_has_come_and_asks_at_once(make_bare: Maker) -> None:
+async def test_a_task_resumes_with_its_answer_and_sends_its_next_request(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         words: list[int] = []
         seen = watch(link, lambda: (len(words), link.statistics.in_flight))
@@ -65,7 +65,7 @@ async def test_its_task_goes_on_when_the_answer_has_come_and_asks_at_once(make_b
 
 
 @on_simulated_time
-async def test_what_is_asked_for_by_those_who_are_woken_together_is_sent_together(make_bare: Maker) -> None:
+async def test_requests_of_tasks_that_resume_together_are_sent_together(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     async with unity_link.connect(valve) as link:
         assert link._flow.stream is not None
@@ -88,7 +88,7 @@ async def test_what_is_asked_for_by_those_who_are_woken_together_is_sent_togethe
 
 
 @on_simulated_time
-async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Maker) -> None:
+async def test_a_medium_may_answer_while_it_takes_the_request(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         flow = link._flow
         assert flow.stream is not None
@@ -103,7 +103,7 @@ async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Make
 
 
 @on_simulated_time
-async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
+async def test_a_task_resumes_in_the_next_turn_if_another_task_is_running() -> None:
     runtime, order = AsyncioRuntime(), []
     future = runtime.create_inline_future()
 
@@ -120,7 +120,7 @@ async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
 
 
 class ModelledLoop:
-    """As much of an event loop as spinning needs, whose turns take some time each."""
+    """The part of an event loop that spinning needs; each turn takes some time."""
 
     TURN = SPIN / 20
 
@@ -136,7 +136,7 @@ class ModelledLoop:
         self.planned.append(lambda: function(*arguments))
 
     def wait(self, seconds: float) -> None:
-        """Let turns go by without sleeping, as long as there are some, and then the rest of the time."""
+        """Run turns without sleeping as long as calls are planned, then sleep for the rest of the time."""
         end, self.turns = self.now + seconds, 0
         while self.planned and self.now < end:
             self.now += self.TURN
@@ -159,7 +159,7 @@ def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[Asyn
 
 
 def ask(runtime: AsyncioRuntime, loop: ModelledLoop, seconds: float) -> int:
-    """Return how many turns of the loop went by until an answer that takes so long."""
+    """Return the number of turns of the loop until an answer that takes `seconds`."""
     future = runtime.create_inline_future()
     loop.wait(seconds)
     future.set_result(None)
@@ -167,13 +167,13 @@ def ask(runtime: AsyncioRuntime, loop: ModelledLoop, seconds: float) -> int:
     return loop.turns
 
 
-def test_while_a_quick_answer_is_awaited_the_loop_does_not_sleep(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_does_not_sleep_while_a_quick_answer_is_pending(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch)
     for _ in range(3):
         assert ask(runtime, loop, SPIN / 2) == pytest.approx(10, abs=1)
 
 
-def test_when_the_answer_has_come_the_loop_may_sleep(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_may_sleep_after_the_answer(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch)
     ask(runtime, loop, SPIN / 2)
     loop.wait(SPIN)
@@ -181,21 +181,21 @@ def test_when_the_answer_has_come_the_loop_may_sleep(monkeypatch: pytest.MonkeyP
     assert not loop.planned
 
 
-def test_while_a_slow_answer_is_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_sleeps_while_a_slow_answer_is_pending(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch)
     assert ask(runtime, loop, 20 * SPIN) == pytest.approx(20, abs=1)
     for _ in range(3):
         assert ask(runtime, loop, 20 * SPIN) == 0
 
 
-def test_on_a_clock_that_stands_still_until_all_wait_the_loop_does_not_spin(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_does_not_spin_on_a_simulated_clock(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(ModelledLoop, "TURN", 0.0)
     runtime, loop = spinning(monkeypatch)
     for _ in range(3):
         assert ask(runtime, loop, SPIN / 2) == 1
 
 
-def test_while_several_answers_are_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_sleeps_while_several_answers_are_pending(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch)
     other = runtime.create_inline_future()
     loop.wait(20 * SPIN)
@@ -206,7 +206,7 @@ def test_while_several_answers_are_awaited_the_loop_sleeps(monkeypatch: pytest.M
 
 
 @pytest.mark.slow
-def test_an_event_loop_is_forgotten_with_its_links() -> None:
+def test_an_event_loop_is_garbage_collected_after_its_links() -> None:
     loop = asyncio.new_event_loop()
 
     async def connect() -> None:
@@ -221,14 +221,14 @@ def test_an_event_loop_is_forgotten_with_its_links() -> None:
     assert left() is None
 
 
-def test_on_a_single_processor_the_loop_does_not_spin(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_loop_does_not_spin_on_a_single_processor(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch, processors=1)
     for _ in range(3):
         assert ask(runtime, loop, SPIN / 2) == 0
 
 
 @on_simulated_time
-async def test_a_result_or_an_error_that_is_there_before_it_is_awaited_is_not_waited_for() -> None:
+async def test_a_future_that_is_done_before_it_is_awaited_returns_at_once() -> None:
     runtime = AsyncioRuntime()
     future, failed = runtime.create_inline_future(), runtime.create_inline_future()
     future.set_result(5)
@@ -243,7 +243,7 @@ async def test_a_result_or_an_error_that_is_there_before_it_is_awaited_is_not_wa
 
 
 @on_simulated_time
-async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_goes_on(make_bare: Maker) -> None:
+async def test_a_cancelled_task_raises_its_message_and_the_link_goes_on(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     async with unity_link.connect(valve) as link:
         valve.answers_pass = False
@@ -262,7 +262,7 @@ async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_
 
 
 @on_simulated_time
-async def test_a_task_that_is_cancelled_when_its_answer_has_come_is_cancelled(make_bare: Maker) -> None:
+async def test_a_task_cancelled_after_its_answer_arrived_is_cancelled(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         future = link._runtime.create_inline_future()
 
@@ -280,7 +280,7 @@ async def test_a_task_that_is_cancelled_when_its_answer_has_come_is_cancelled(ma
 
 
 @on_simulated_time
-async def test_who_is_woken_first_may_close_the_link_and_the_others_have_their_answers(make_bare: Maker) -> None:
+async def test_the_first_task_to_resume_may_close_the_link(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     async with unity_link.connect(valve) as link:
         got: list[int] = []
@@ -298,7 +298,7 @@ async def test_who_is_woken_first_may_close_the_link_and_the_others_have_their_a
 
 
 @on_simulated_time
-async def test_who_is_woken_by_the_loss_of_the_connection_may_close_the_link(make_bare: Maker) -> None:
+async def test_a_task_that_resumes_with_a_lost_connection_may_close_the_link(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     async with unity_link.connect(valve, reconnect=True) as link:
         valve.answers_pass = False
@@ -316,7 +316,7 @@ async def test_who_is_woken_by_the_loss_of_the_connection_may_close_the_link(mak
         assert not [task for task in asyncio.all_tasks() if "_reopen" in str(task)]
 
 
-def test_a_program_that_ends_when_its_answer_has_come_ends_as_it_says() -> None:
+def test_a_program_that_exits_after_an_answer_has_its_exit_status() -> None:
     program = """
 import asyncio, sys, unity_link
 async def main():
@@ -332,7 +332,7 @@ asyncio.run(main())
 
 
 @on_simulated_time
-async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_without(make_bare: Maker) -> None:
+async def test_an_idle_group_does_not_delay_the_retransmission_of_a_request(make_bare: Maker) -> None:
     valve = Valve(make_bare(**SLOW))
     async with unity_link.connect(valve) as link, link.subscribe([1]):
         for _ in range(50):
@@ -350,6 +350,6 @@ async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_wi
 @pytest.mark.parametrize(
     "hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, InlineFuture]
 )
-def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
+def test_classes_on_the_path_of_a_request_have_fast_attributes(hot: type) -> None:
     assert not hasattr(hot, "__getattr__")
     assert "__slots__" in vars(hot) or hot not in (Window, Request, InlineFuture)

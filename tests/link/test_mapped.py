@@ -1,4 +1,4 @@
-"""A link to a bus that is mapped into memory: beside the link's suite, what is its own."""
+"""A link to a bus that is mapped into memory: the behaviour that the other tests of links do not cover."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def robot(file: Path) -> Iterator[str]:
-    """Return the URL of a bus that a process of its own has a SCARA robot behind."""
+    """Return the URL of a bus on which another process simulates a SCARA robot."""
     with subprocess.Popen([sys.executable, str(ROBOT), str(file)], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "ready\n"
@@ -56,7 +56,7 @@ def robot(file: Path) -> Iterator[str]:
     address=st.integers(0, 40),
     value=st.integers(0, (1 << 64) - 1),
 )
-def test_a_word_is_at_its_address_times_its_size_and_nothing_else_changes(
+def test_a_word_is_at_its_address_times_its_size(
     tmp_path_factory: pytest.TempPathFactory, bits: int, offset: int, address: int, value: int
 ) -> None:
     size, word = bits // 8, value % (1 << bits)
@@ -72,7 +72,7 @@ def test_a_word_is_at_its_address_times_its_size_and_nothing_else_changes(
     assert path.read_bytes() == after
 
 
-def test_the_last_word_is_that_of_the_size(file: Path) -> None:
+def test_the_size_of_the_file_limits_the_addresses(file: Path) -> None:
     with blocking.connect(f"mmio:{file}?offset=16&size=40") as link:
         link.write(9, 7)
         with pytest.raises(ArgumentError, match="address 0xa is not from 0 to 0x9"):
@@ -83,7 +83,7 @@ def test_the_last_word_is_that_of_the_size(file: Path) -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_task_that_does_nothing_but_read_leaves_the_others_their_turn(file: Path) -> None:
+async def test_a_task_that_only_reads_lets_other_tasks_run(file: Path) -> None:
     async with unity_link.connect(f"mmio:{file}") as link:
 
         async def set_later() -> None:
@@ -92,13 +92,13 @@ async def test_a_task_that_does_nothing_but_read_leaves_the_others_their_turn(fi
 
         async with asyncio.TaskGroup() as tasks:
             tasks.create_task(set_later())
-            # It would wait for ever.
+            # Without a turn for the other task this loop would never end.
             while not await link.read(3):
                 pass
 
 
 @on_simulated_time
-async def test_the_block_and_a_fence_end_after_a_write_at_an_instant(file: Path) -> None:
+async def test_the_block_and_a_fence_wait_for_a_write_at_an_instant(file: Path) -> None:
     spec = compile_text("""
     public robot() {
       GATEWAY(ADDRESS_BITS=12);
@@ -116,7 +116,7 @@ async def test_the_block_and_a_fence_end_after_a_write_at_an_instant(file: Path)
 
 
 @pytest.mark.asyncio
-async def test_after_the_end_every_call_says_that_the_link_was_closed(file: Path) -> None:
+async def test_every_call_after_the_close_reports_that_the_link_was_closed(file: Path) -> None:
     link = await unity_link.connect(f"mmio:{file}")
     async with link.subscribe([1]) as samples:
         await link.aclose()
@@ -143,7 +143,7 @@ async def test_after_the_end_every_call_says_that_the_link_was_closed(file: Path
 
 
 @on_simulated_time
-async def test_samples_come_at_their_rate(tmp_path: Path) -> None:
+async def test_samples_arrive_at_their_rate(tmp_path: Path) -> None:
     path = tmp_path / "bus"
     path.write_bytes(bytes(4 * WORDS))
     async with unity_link.connect(f"mmio:{path}") as link, link.subscribe([2, 1], rate_hz=100) as samples:
@@ -161,7 +161,7 @@ async def test_samples_come_at_their_rate(tmp_path: Path) -> None:
 
 @on_simulated_time
 @pytest.mark.parametrize("timestamps", [True, False])
-async def test_many_periods_that_nobody_had_time_for_are_counted(
+async def test_many_missed_periods_are_counted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, timestamps: bool
 ) -> None:
     path = tmp_path / "bus"
@@ -182,7 +182,7 @@ async def test_many_periods_that_nobody_had_time_for_are_counted(
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("timestamps", [True, False])
-async def test_periods_that_nobody_had_time_for_are_counted(file: Path, *, timestamps: bool) -> None:
+async def test_missed_periods_are_counted(file: Path, *, timestamps: bool) -> None:
     async with (
         unity_link.connect(f"mmio:{file}") as link,
         link.subscribe([1], rate_hz=1000, timestamps=timestamps) as samples,
@@ -190,7 +190,7 @@ async def test_periods_that_nobody_had_time_for_are_counted(file: Path, *, times
         first = await anext(samples)
         time.sleep(0.05)  # noqa: ASYNC251  (it is to hold up the loop)
         taken = [await anext(samples)]
-        # Some may have been waiting already.
+        # Some samples may have been waiting already.
         while taken[-1].lost < 40 and len(taken) < 1000:
             taken.append(await anext(samples))
     assert taken[-1].lost >= 40
@@ -198,7 +198,7 @@ async def test_periods_that_nobody_had_time_for_are_counted(file: Path, *, times
 
 
 @pytest.mark.asyncio
-async def test_on_change_equal_words_are_not_published(file: Path) -> None:
+async def test_equal_words_are_not_published_with_on_change(file: Path) -> None:
     async with unity_link.connect(f"mmio:{file}") as link, link.subscribe([1], rate_hz=1000, on_change=True) as samples:
         values = []
         for value in range(5):
@@ -209,11 +209,11 @@ async def test_on_change_equal_words_are_not_published(file: Path) -> None:
     assert values == [[0], [1], [2], [3], [4]]
 
 
-# What it cannot do
+# Unsupported calls
 
 
 @pytest.mark.asyncio
-async def test_there_are_no_triggers_and_the_error_says_so(file: Path) -> None:
+async def test_the_error_for_a_trigger_says_that_there_are_none(file: Path) -> None:
     async with unity_link.connect(f"mmio:{file}") as link:
         with pytest.raises(UnsupportedError, match="mapped memory has no external triggers"):
             link.subscribe([1], trigger=True)
@@ -240,19 +240,19 @@ async def test_there_are_no_triggers_and_the_error_says_so(file: Path) -> None:
         ("mmio:{file}?base_frequency_millihertz=0", "is not from 1"),
     ],
 )
-def test_a_url_that_cannot_be_is_one_sentence(url: str, what: str, file: Path) -> None:
+def test_the_error_for_an_impossible_url_is_one_sentence(url: str, what: str, file: Path) -> None:
     with pytest.raises(ArgumentError, match=what):
         blocking.connect(url.format(file=file, folder=file.parent))
 
 
 @pytest.mark.parametrize("url", ["mmio:{file}.not", "mmio:/dev/null?size=4096"])
-def test_what_cannot_be_mapped_is_one_sentence(url: str, file: Path) -> None:
+def test_the_error_for_a_file_that_cannot_be_mapped_is_one_sentence(url: str, file: Path) -> None:
     with pytest.raises(ConnectError, match=r"^mmio:\S+: it cannot be mapped \(.+\); it must be there"):
         blocking.connect(url.format(file=file))
 
 
 @pytest.mark.parametrize("command", ["serve {url} --unix {folder}/socket", "terminal {url}"])
-def test_what_needs_frames_says_that_there_are_none(command: str, file: Path) -> None:
+def test_commands_that_need_frames_report_that_there_are_none(command: str, file: Path) -> None:
     program = str(Path(sys.executable).parent / "unity-link")
     words = command.format(url=f"mmio:{file}", folder=file.parent).split()
     done = subprocess.run(
@@ -262,7 +262,7 @@ def test_what_needs_frames_says_that_there_are_none(command: str, file: Path) ->
     assert "carries no frames, so it cannot be served" in done.stderr
 
 
-def test_a_mapping_of_uio_is_found_where_linux_tells_it(tmp_path: Path) -> None:
+def test_a_mapping_of_uio_is_found_in_the_files_of_linux(tmp_path: Path) -> None:
     for number, (size, offset) in enumerate([("0x1000", "0x0"), ("0x00000100", "0x40")]):
         one = tmp_path / f"map{number}"
         one.mkdir()

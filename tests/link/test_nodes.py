@@ -40,7 +40,7 @@ def buses(line: SharedLine) -> dict[int, RecordedBus]:
 
 
 async def work(link: Link, values: range = range(12)) -> None:
-    """Do a bit of everything."""
+    """Make calls of every kind concurrently."""
     await asyncio.gather(
         *[link.write(1, value) for value in values],
         *[link.post(2, value) for value in values],
@@ -73,7 +73,7 @@ def compiled() -> SharedLine:
 
 @pytest.mark.parametrize("build", [models, pytest.param(compiled, marks=[pytest.mark.campaign, pytest.mark.rtl])])
 @on_simulated_time
-async def test_four_links_share_a_line_and_nobody_sends_while_an_answer_is_owed(
+async def test_four_links_share_a_line_without_sending_during_an_answer(
     build: Callable[[], SharedLine],
 ) -> None:
     line = build()
@@ -91,7 +91,7 @@ async def test_four_links_share_a_line_and_nobody_sends_while_an_answer_is_owed(
     assert all(in_order(bus) for bus in seen.values())
 
 
-def test_two_who_send_at_a_time_are_found_out() -> None:
+def test_simultaneous_transmissions_are_detected() -> None:
     line = build_shared_line(NODES)
     assert line.receive(b"Z01Q\rZ02Q\r", 0.0) == b""
     assert set(line.advance(1.0)) == {0xFF}
@@ -101,7 +101,7 @@ def test_two_who_send_at_a_time_are_found_out() -> None:
     assert line.collisions[1:] == ["the host sends while node 1 does"]
 
 
-def test_a_host_that_does_not_wait_for_a_slow_answer_is_found_out() -> None:
+def test_a_host_that_does_not_wait_for_a_slow_answer_is_detected() -> None:
     line = build_shared_line(NODES, delay=0.01)
     line.receive(b"Z01Q\r", 0.0)
     line.advance(0.005)
@@ -111,7 +111,7 @@ def test_a_host_that_does_not_wait_for_a_slow_answer_is_found_out() -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_node_that_is_gone_costs_the_others_a_bounded_time() -> None:
+async def test_a_missing_node_delays_the_others_by_a_bounded_time() -> None:
     line = build_shared_line(NODES, baud=1_000_000)
     clock = asyncio.get_running_loop().time
     async with unity_link.connect(line.at(1)) as gone, unity_link.connect(line.at(2)) as other:
@@ -126,13 +126,13 @@ async def test_a_node_that_is_gone_costs_the_others_a_bounded_time() -> None:
         with pytest.raises(LinkLostError):
             await lost
         assert max(waits) < ANSWER_PATIENCE + 0.02
-        # A try now and then, and no more: the other has the line for itself nearly all the time.
+        # The busy link spends a try now and then on the missing node; the other link has the line nearly all the time.
         assert sum(wait > 0.01 for wait in waits) <= 8
     assert line.collisions == []
 
 
 @on_simulated_time
-async def test_a_link_that_is_being_opened_to_a_node_that_is_not_there_does_not_hold_up_the_others() -> None:
+async def test_opening_a_link_to_a_missing_node_does_not_delay_the_others() -> None:
     line = build_shared_line(NODES)
     line.gone.add(5)
     clock = asyncio.get_running_loop().time
@@ -171,13 +171,13 @@ async def test_a_busy_node_does_not_starve_another() -> None:
         batch = asyncio.ensure_future(busy.read_many([0] * 500))
         for _ in range(100):
             await other.read(0)
-        # One request of each in turn.
+        # The links take turns, with one request each.
         assert 95 <= busy.statistics.responses <= 110
         await batch
 
 
 @on_simulated_time
-async def test_a_reset_of_one_node_is_no_matter_of_the_others() -> None:
+async def test_a_reset_of_one_node_does_not_affect_the_others() -> None:
     line = build_shared_line(NODES)
     seen = buses(line)
     async with (
@@ -201,7 +201,7 @@ async def test_a_reset_of_one_node_is_no_matter_of_the_others() -> None:
 
 
 @on_simulated_time
-async def test_a_link_that_is_closed_or_cancelled_in_its_turn_leaves_the_line_to_the_others_when_it_is_quiet() -> None:
+async def test_a_link_closed_in_its_turn_frees_the_line_when_it_is_quiet() -> None:
     line = build_shared_line(NODES, delay=0.01)
     async with unity_link.connect(line.at(2)) as other:
         for pause in (0.0, 0.001, 0.002, 0.005, 0.011, 0.013):
@@ -247,7 +247,7 @@ async def test_the_only_link_of_a_line_is_opened_again() -> None:
 
 @pytest.mark.parametrize("pause", [0.001, 0.005, 0.011, 0.012])
 @on_simulated_time
-async def test_a_line_whose_only_link_is_closed_in_its_turn_is_quiet_before_the_next_link_sends(pause: float) -> None:
+async def test_a_link_sends_only_when_the_line_of_a_closed_link_is_quiet(pause: float) -> None:
     line = build_shared_line(NODES, delay=0.01)
     async with unity_link.connect(line.at(1)) as link:
         reading = asyncio.ensure_future(link.read(0))
@@ -259,7 +259,7 @@ async def test_a_line_whose_only_link_is_closed_in_its_turn_is_quiet_before_the_
 
 
 @on_simulated_time
-async def test_a_node_that_sends_without_being_asked_shares_its_line_with_nobody() -> None:
+async def test_a_node_that_sends_by_itself_cannot_share_its_line() -> None:
     line = SharedLine({1: build_shared_line([1]).gateways[1], 2: VirtualGateway(node=2)})
     async with unity_link.connect(line.at(1)):
         with pytest.raises(UnsupportedError, match="was not built half-duplex"):
@@ -271,7 +271,7 @@ async def test_a_node_that_sends_without_being_asked_shares_its_line_with_nobody
 
 
 class _BadLine(SharedLine):
-    """Damages characters of both directions, and makes no line end of one: that would be a second frame."""
+    """Damages characters of both directions, but turns none into a line end, which would make a second frame."""
 
     def __init__(self, line: SharedLine, chance: float, seed: int) -> None:
         super().__init__(line.gateways)
@@ -291,9 +291,7 @@ class _BadLine(SharedLine):
 @pytest.mark.slow
 @given(st.integers(0, 2**32), st.sampled_from([0.0005, 0.003]), st.lists(st.sampled_from(NODES), max_size=4))
 @on_simulated_time
-async def test_on_a_bad_line_everything_is_executed_once_and_in_order(
-    seed: int, chance: float, gone: list[int]
-) -> None:
+async def test_requests_on_a_bad_line_are_executed_once_and_in_order(seed: int, chance: float, gone: list[int]) -> None:
     line = _BadLine(build_shared_line(NODES), chance, seed)
     seen = buses(line)
     rng = random.Random(seed)
@@ -309,7 +307,7 @@ async def test_on_a_bad_line_everything_is_executed_once_and_in_order(
                 await link.fence()
 
         async def power(node: int) -> None:
-            # Away for less than a link waits in silence: what is heard late or never is told from what was executed.
+            # The node is away for less than a link waits in silence; a longer absence would end links.
             await asyncio.sleep(rng.random())
             line.gone.add(node)
             await asyncio.sleep(rng.random())

@@ -1,4 +1,4 @@
-"""A port is closed when its link is left, whatever ended that link: the port can be opened again at once."""
+"""A port is closed when its link is left, however that link ended; it can be opened again at once."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def write_in_a_lost_session_blocking(gateway: VirtualGateway, url: str) -> None:
 
 
 async def lose_and_connect(*, blocking: bool) -> int:
-    """Leave a link that another program has ended, and connect and write at once; return the word."""
+    """Leave a link that another program has ended, then connect and write at once; return the word."""
     gateway = VirtualGateway()
     async with serve_pty(gateway) as url:
         with pytest.raises(LinkLostError, match=ANOTHER):

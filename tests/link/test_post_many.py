@@ -17,7 +17,7 @@ from unity_link.errors import Outcome
 from unity_link.virtual.faults import Noise, NoisyLine
 
 COUNT = 2 * in_flight(GatewayInfo())
-"""More than are under way at once."""
+"""More writes than may be in flight at once."""
 ADDRESSES = np.arange(COUNT) % 200
 VALUES = np.arange(COUNT)
 WRITES = list(zip(ADDRESSES.tolist(), VALUES.tolist(), strict=True))
@@ -46,10 +46,10 @@ async def test_other_calls_take_turns_with_a_long_batch(make_bare: Maker) -> Non
     assert [write for write in bus.writes if write != (0xC8, 1)] == WRITES
 
 
-# Not behind a server: what is repeated there, only its own link counts.
+# Not through a server: retransmissions there are counted only by the server's own link.
 @pytest.mark.parametrize("make_bare", ["sim", RTL], indirect=True)
 @pytest.mark.parametrize("seed", range(20))
-def test_a_line_that_loses_and_damages_bytes_changes_nothing(make_bare: Maker, seed: int) -> None:
+def test_a_line_that_loses_and_damages_bytes_does_not_change_the_result(make_bare: Maker, seed: int) -> None:
     async def run() -> None:
         model = make_bare(**CRC_32, id_digits=2)
         bus = RecordedBus(model)
@@ -75,7 +75,7 @@ async def test_the_fence_raises_the_first_error_and_counts_the_others(make_bare:
 
 
 @on_simulated_time
-async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else(make_bare: Maker) -> None:
+async def test_a_cancelled_call_has_written_the_values_that_were_sent(make_bare: Maker) -> None:
     model = make_bare()
     bus, gateway = RecordedBus(model), Valve(model)
     async with unity_link.connect(gateway) as link:
@@ -90,7 +90,7 @@ async def test_one_that_is_cancelled_has_written_what_was_sent_and_nothing_else(
 
 
 @on_simulated_time
-async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed(make_bare: Maker) -> None:
+async def test_the_outcome_is_unknown_if_the_link_is_lost(make_bare: Maker) -> None:
     model = make_bare()
     gateway = Valve(model)
     async with unity_link.connect(gateway) as link:
@@ -105,7 +105,7 @@ async def test_a_link_that_is_lost_on_the_way_leaves_open_what_was_executed(make
 
 
 @on_simulated_time
-async def test_what_does_not_fit_raises_before_anything_is_sent(make_bare: Maker) -> None:
+async def test_values_that_do_not_fit_raise_before_any_is_sent(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare()) as link:
         sent = link.statistics.requests
         for addresses, values, words in (([1, 2], [1], "2 addresses"), ([], [], "0"), ([256], [1], "0x100")):
@@ -115,7 +115,7 @@ async def test_what_does_not_fit_raises_before_anything_is_sent(make_bare: Maker
 
 
 @pytest.mark.parametrize("url", ["sim:", pytest.param("rtl:", marks=pytest.mark.rtl)])
-def test_the_blocking_link_has_it(url: str) -> None:
+def test_the_blocking_link_has_post_many(url: str) -> None:
     with blocking.connect(url) as link:
         link.post_many([1, 2], [10, 20])
         link.fence()

@@ -1,4 +1,4 @@
-"""Promises in the docstrings of a link's calls, where something else happens at the same time."""
+"""Guarantees in the docstrings of a link's calls, while something else happens at the same time."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def now() -> float:
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    """Wait until something is true, in steps so short that little else happens, but in which simulated time passes."""
+    """Wait until a condition is true, in steps so short that few other events happen, while simulated time passes."""
     while not condition():  # noqa: ASYNC110
         await asyncio.sleep(1e-5)
 
@@ -50,7 +50,7 @@ async def until(condition: Callable[[], bool]) -> None:
 
 
 @on_simulated_time
-async def test_a_fence_waits_for_batches_and_blocks_that_were_asked_for_before_it(make_bare: Maker) -> None:
+async def test_a_fence_waits_for_earlier_batches_and_blocks(make_bare: Maker) -> None:
     bus = RecordedBus(gateway := make_bare(**SLOW))
     async with unity_link.connect(gateway) as link:
         asked = [
@@ -67,7 +67,7 @@ async def test_a_fence_waits_for_batches_and_blocks_that_were_asked_for_before_i
 
 
 class Away(Valve):
-    """Answers each ``h`` by error 05 as a server does that has lost its gateway, and loses errors of posted writes."""
+    """Answers each `h` with error 05, as a server without its gateway does, and loses the errors of posted writes."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         answer = super().receive(data, now)
@@ -85,7 +85,7 @@ def frame(body: bytes) -> bytes:
 
 
 @on_simulated_time
-async def test_each_posted_write_is_asked_for_behind_a_fence_that_is_refused() -> None:
+async def test_each_posted_write_is_queried_after_a_refused_fence() -> None:
     gateway = VirtualGateway()
     gateway.attach(Failing(), [0xF0])
     async with unity_link.connect(Away(gateway)) as link:
@@ -96,7 +96,7 @@ async def test_each_posted_write_is_asked_for_behind_a_fence_that_is_refused() -
 
 
 @on_simulated_time
-async def test_calls_behind_a_fence_that_waits_go_on(make_bare: Maker) -> None:
+async def test_calls_after_a_waiting_fence_go_on(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         batch = asyncio.ensure_future(link.read_many([1] * 20_000))
         await asyncio.sleep(0)
@@ -109,7 +109,7 @@ async def test_calls_behind_a_fence_that_waits_go_on(make_bare: Maker) -> None:
 
 
 @on_simulated_time
-async def test_a_fence_whose_batch_is_cancelled_goes_on(make_bare: Maker) -> None:
+async def test_a_fence_returns_if_the_batch_before_it_is_cancelled(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         batch = asyncio.ensure_future(link.read_many([1] * 20_000))
         await asyncio.sleep(0)
@@ -120,7 +120,7 @@ async def test_a_fence_whose_batch_is_cancelled_goes_on(make_bare: Maker) -> Non
 
 
 @on_simulated_time
-async def test_a_fence_waits_for_reads_that_a_new_session_sends_again(make_bare: Maker) -> None:
+async def test_a_fence_waits_for_reads_that_a_new_session_repeats(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         gateway.answers_pass = False
@@ -137,7 +137,7 @@ async def test_a_fence_waits_for_reads_that_a_new_session_sends_again(make_bare:
 
 
 @on_simulated_time
-async def test_a_fence_that_was_cancelled_leaves_the_errors_of_posted_writes_to_the_end_of_the_block(
+async def test_errors_of_posted_writes_are_raised_after_a_cancelled_fence(
     make_bare: Maker,
 ) -> None:
     async def post_and_cancel() -> None:
@@ -153,7 +153,7 @@ async def test_a_fence_that_was_cancelled_leaves_the_errors_of_posted_writes_to_
 
 
 @on_simulated_time
-async def test_each_task_hears_of_its_own_posted_writes_at_its_own_fence(make_bare: Maker) -> None:
+async def test_each_fence_raises_the_errors_of_posts_of_its_own_task(make_bare: Maker) -> None:
     both_posted = asyncio.Barrier(2)
 
     async def run(link: Link, address: int, error: type[UnityLinkError]) -> None:
@@ -183,7 +183,7 @@ WRAPPED: dict[str, Callable[[Coroutine[Any, Any, None]], Awaitable[object]]] = {
     "TaskGroup": in_a_task_group,
     "shield": asyncio.shield,
 }
-"""Ways to await a coroutine in another task than the one that made it."""
+"""Ways to await a coroutine in another task than the one that created it."""
 
 
 @pytest.mark.parametrize("wrap", WRAPPED.values(), ids=WRAPPED)
@@ -220,7 +220,7 @@ async def test_a_post_belongs_to_the_task_that_calls_it(make_bare: Maker, kind: 
             "a group's post": lambda: Group(robot["failing"]).post([1]),
         }
         other = asyncio.create_task(fence(link))
-        # Each runs in a task of its own, which is over when the other task calls `fence`.
+        # Each post runs in a task of its own, which has ended when the other task calls `fence`.
         await asyncio.gather(posts[kind](), posts[kind]())
         posted.set()
         await fenced.wait()
@@ -231,13 +231,13 @@ async def test_a_post_belongs_to_the_task_that_calls_it(make_bare: Maker, kind: 
 
 
 @on_simulated_time
-async def test_a_fence_called_in_another_thread_is_not_of_the_task_that_runs(make_bare: Maker) -> None:
+async def test_a_fence_called_in_another_thread_does_not_belong_to_the_task(make_bare: Maker) -> None:
     async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
         await link.post(BUS_ERROR, 1)
         made: list[Coroutine[Any, Any, None]] = []
         thread = threading.Thread(target=lambda: made.append(link.fence()))
         thread.start()
-        # This task runs meanwhile.
+        # The task of this test continues while the thread runs.
         thread.join()
         await made[0]
         with pytest.raises(BusError):
@@ -258,7 +258,7 @@ async def test_methods_that_return_a_coroutine_are_refused_as_callbacks(make_bar
 
 
 @on_simulated_time
-async def test_the_end_of_the_block_raises_what_a_task_that_never_fences_has_lost(make_bare: Maker) -> None:
+async def test_the_end_of_the_block_raises_the_errors_of_tasks_without_a_fence(make_bare: Maker) -> None:
     posted = asyncio.Event()
 
     async def post_and_stay(link: Link) -> None:
@@ -280,7 +280,7 @@ async def test_the_end_of_the_block_raises_what_a_task_that_never_fences_has_los
 
 
 @on_simulated_time
-async def test_the_losses_of_many_tasks_that_are_over_are_one_error_of_the_next_fence(make_bare: Maker) -> None:
+async def test_the_errors_of_many_ended_tasks_are_one_error_of_the_next_fence(make_bare: Maker) -> None:
     async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
         await asyncio.gather(*(link.post(BUS_ERROR, value) for value in range(100)))
         await asyncio.sleep(1)
@@ -295,7 +295,7 @@ async def test_the_losses_of_many_tasks_that_are_over_are_one_error_of_the_next_
 
 
 @on_simulated_time
-async def test_after_an_error_in_a_batch_of_reads_the_others_are_done_and_the_first_is_raised(make_bare: Maker) -> None:
+async def test_a_batch_of_reads_is_completed_and_raises_its_first_error(make_bare: Maker) -> None:
     bus = RecordedBus(gateway := make_bare(**SLOW))
     with_failing(gateway)
     async with unity_link.connect(gateway) as link:
@@ -306,7 +306,7 @@ async def test_after_an_error_in_a_batch_of_reads_the_others_are_done_and_the_fi
 
 
 @on_simulated_time
-async def test_after_an_error_in_a_batch_of_writes_the_others_are_done_and_the_first_is_raised(
+async def test_a_batch_of_writes_is_completed_and_raises_its_first_error(
     make_bare: Maker,
 ) -> None:
     bus = RecordedBus(gateway := make_bare(**SLOW))
@@ -322,9 +322,7 @@ async def test_after_an_error_in_a_batch_of_writes_the_others_are_done_and_the_f
 
 @pytest.mark.parametrize("when", ["before", "while it waits"])
 @on_simulated_time
-async def test_leaving_the_block_of_a_link_does_not_wait_for_a_gateway_that_is_gone(
-    make_bare: Maker, when: str
-) -> None:
+async def test_leaving_the_block_of_a_link_does_not_wait_for_a_lost_gateway(make_bare: Maker, when: str) -> None:
     gateway = Valve(make_bare(**SLOW))
 
     async def post_and_leave() -> None:
@@ -345,7 +343,7 @@ async def test_leaving_the_block_of_a_link_does_not_wait_for_a_gateway_that_is_g
 
 
 @on_simulated_time
-async def test_leaving_while_the_gateway_is_away_is_quiet_where_nothing_is_open(make_bare: Maker) -> None:
+async def test_leaving_without_open_requests_raises_nothing_for_a_lost_gateway(make_bare: Maker) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         await link.post(1, 2)
@@ -357,9 +355,7 @@ async def test_leaving_while_the_gateway_is_away_is_quiet_where_nothing_is_open(
 
 @pytest.mark.parametrize("cutting", [True, False])
 @on_simulated_time
-async def test_leaving_the_block_of_a_subscription_does_not_wait_for_a_gateway_that_is_gone(
-    make_bare: Maker, *, cutting: bool
-) -> None:
+async def test_leaving_a_subscription_does_not_wait_for_a_lost_gateway(make_bare: Maker, *, cutting: bool) -> None:
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway, reconnect=True) as link:
         start = now()
@@ -374,7 +370,7 @@ async def test_leaving_the_block_of_a_subscription_does_not_wait_for_a_gateway_t
 
 
 @on_simulated_time
-async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_is_its_last_holders(
+async def test_a_group_reassigned_in_a_reconnection_belongs_to_its_last_holder(
     make_modelled: Maker,
 ) -> None:
     gateway = Valve(bare := make_modelled(**TWO_GROUPS))
@@ -393,7 +389,7 @@ async def test_a_group_that_changes_hands_while_subscriptions_are_set_up_again_i
 
 @pytest.mark.parametrize("reset", [True, False])
 @on_simulated_time
-async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(*, reset: bool) -> None:
+async def test_time_continues_over_a_reconnection_and_samples_have_a_session(*, reset: bool) -> None:
     gateway = simulated(**SLOW, clock_hz=400_000_000)
     samples: list[Sample] = []
     async with (
@@ -415,8 +411,8 @@ async def test_time_goes_on_over_a_reconnection_and_samples_tell_their_session(*
 
 
 @on_simulated_time
-async def test_a_line_so_bad_that_subscriptions_are_not_set_up_again_is_tried_again(make_direct: Maker) -> None:
-    """The setting up is damaged each time until the link gives it up; then the line is good again."""
+async def test_subscriptions_are_set_up_after_several_failed_attempts(make_direct: Maker) -> None:
+    """Requests that set up the group are damaged until the link gives them up; then the line is good again."""
     gateway = Spoiled(make_direct(**SLOW))
     async with (
         unity_link.connect(gateway, reconnect=Reconnect(longest_pause=1)) as link,
@@ -434,7 +430,7 @@ async def test_a_line_so_bad_that_subscriptions_are_not_set_up_again_is_tried_ag
 
 
 class Spoiled(Valve):
-    """A gateway that a request to set up a group never reaches undamaged, though something is heard of it."""
+    """A gateway that no request to set up a group reaches undamaged, although it answers the damaged ones."""
 
     spoiling = False
 
@@ -444,7 +440,7 @@ class Spoiled(Valve):
         return super().receive(data, now)
 
 
-# A link that does not get through
+# A link without a way to its gateway
 
 
 @on_simulated_time
@@ -461,7 +457,7 @@ async def test_a_link_on_which_only_samples_get_through_is_lost_in_seconds(make_
 
 
 @on_simulated_time
-async def test_requests_are_not_repeated_while_the_transport_takes_nothing(make_bare: Maker) -> None:
+async def test_requests_are_not_retransmitted_while_the_transport_is_blocked(make_bare: Maker) -> None:
     async with unity_link.connect(gateway := Valve(make_bare(**SLOW))) as link:
         assert link._flow.stream is not None
         stream = link._flow.stream
@@ -476,7 +472,7 @@ async def test_requests_are_not_repeated_while_the_transport_takes_nothing(make_
 
 
 @on_simulated_time
-async def test_a_transport_that_takes_nothing_for_good_ends_the_link(make_bare: Maker) -> None:
+async def test_a_transport_that_stays_blocked_ends_the_link(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         assert link._flow.stream is not None
         link._flow.stream.pause_writing()
@@ -487,7 +483,7 @@ async def test_a_transport_that_takes_nothing_for_good_ends_the_link(make_bare: 
 
 
 @on_simulated_time
-async def test_a_round_trip_longer_than_the_patience_of_the_handshake_is_not_measured_too_short(
+async def test_a_round_trip_longer_than_the_first_time_out_is_measured_right(
     make_direct: Maker,
 ) -> None:
     gateway = Late(make_direct(**SLOW), 0.35)
@@ -499,7 +495,7 @@ async def test_a_round_trip_longer_than_the_patience_of_the_handshake_is_not_mea
 
 
 class Late(Scripted):
-    """A gateway all of whose answers come late."""
+    """A gateway whose answers all arrive late."""
 
     def __init__(self, gateway: Any, seconds: float) -> None:
         super().__init__(gateway)
@@ -535,7 +531,9 @@ WRONG: dict[str, Callable[[Link, Any], Awaitable[object]]] = {
 @pytest.mark.parametrize("wrong", NOT_WHOLE, ids=repr)
 @pytest.mark.parametrize("call", WRONG.values(), ids=WRONG)
 @on_simulated_time
-async def test_what_is_no_whole_number_is_named(call: Callable[[Link, Any], Awaitable[object]], wrong: Any) -> None:
+async def test_the_error_names_an_argument_that_is_no_integer(
+    call: Callable[[Link, Any], Awaitable[object]], wrong: Any
+) -> None:
     async with unity_link.connect("sim:") as link:
         sent = link.statistics.requests
         with pytest.raises(ArgumentError):
@@ -544,7 +542,7 @@ async def test_what_is_no_whole_number_is_named(call: Callable[[Link, Any], Awai
 
 
 @on_simulated_time
-async def test_whole_numbers_of_other_types_are_taken() -> None:
+async def test_integers_of_other_types_are_accepted() -> None:
     numbers: Any = np
     async with unity_link.connect("sim:") as link:
         await link.write(numbers.uint8(7), numbers.int64(9))
@@ -564,7 +562,7 @@ RATES = ["5", [1], float("nan"), Fraction(10**9), np.float64(1e9), np.complex64(
 
 @pytest.mark.parametrize("options", [{"callback": 5}, *({"rate_hz": rate} for rate in RATES)], ids=str)
 @on_simulated_time
-async def test_a_subscription_of_something_else_is_refused(options: dict[str, Any]) -> None:
+async def test_a_subscription_with_wrong_options_is_refused(options: dict[str, Any]) -> None:
     async with unity_link.connect("sim:") as link:
         with pytest.raises(ArgumentError):
             link.subscribe([1], **options)
@@ -608,11 +606,11 @@ async def test_samples_that_a_gateway_cannot_send_at_once_are_refused() -> None:
             link.subscribe([1], rate_hz=100, immediate=True)
 
 
-# What is lost is counted
+# Lost samples are counted
 
 
 @on_simulated_time
-async def test_samples_that_come_after_a_slow_reader_has_failed_are_counted_as_lost(make_bare: Maker) -> None:
+async def test_samples_after_the_failure_of_a_slow_reader_are_counted_as_lost(make_bare: Maker) -> None:
     async with (
         unity_link.connect(make_bare(**SLOW)) as link,
         link.subscribe([1], rate_hz=100, buffer=10, overflow="fail") as samples,
@@ -628,8 +626,8 @@ async def test_samples_that_come_after_a_slow_reader_has_failed_are_counted_as_l
 
 @pytest.mark.parametrize("together", [True, False])
 @on_simulated_time
-async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, together: bool) -> None:
-    """A reader that is too slow, and a line on which samples are missing, lose nothing that is not told."""
+async def test_every_sample_is_read_or_counted_as_lost(make_bare: Maker, *, together: bool) -> None:
+    """Samples that a slow reader or a lossy line loses are all counted."""
     gateway = Scripted(make_bare(**SLOW))
     numbers = [number for number in range(400) if number % 50 not in (7, 8)]
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False, buffer=30) as samples:
@@ -645,7 +643,7 @@ async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, toge
 
 
 @on_simulated_time
-async def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error() -> None:
+async def test_posted_writes_continue_if_each_fence_is_answered_by_an_error() -> None:
     gateway = Uncounting(unity_link.GatewayInfo(id_digits=2))
     bus = RecordedBus(gateway)
     async with unity_link.connect(gateway) as link:

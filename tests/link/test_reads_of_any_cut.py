@@ -1,4 +1,4 @@
-"""Bytes mean the same however they are cut into reads: frames are taken many at a time only where that is so."""
+"""The result does not depend on the offsets at which bytes are cut into reads, even if frames are decoded together."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ if TYPE_CHECKING:
 
 NODE, OTHER_NODE = 5, 6
 FOREIGN = 7
-"""A group that is not subscribed to."""
+"""A group without a subscription."""
 
 
 class Burst(NamedTuple):
-    """Frames of one kind, side by side."""
+    """Consecutive frames of one kind."""
 
     kind: str
     length: int
 
 
 WORDS = {0: 1, 1: 1, 2: 3, 3: 1, 4: 2, FOREIGN: 1}
-"""Words of each group; a sample of group 3 is as long as one of group 4, for it has a timestamp."""
+"""Words of each group; a sample of group 3 has the length of one of group 4 because it has a timestamp."""
 STAMPED = 3
 GROUPS = {
     "first": 0,
@@ -69,7 +69,7 @@ bursts = st.lists(st.builds(Burst, st.sampled_from(KINDS), st.integers(1, 3) | s
 
 
 class Speaker:
-    """Makes the frames of a gateway with two groups that are subscribed to."""
+    """Makes the frames of a gateway with subscribed groups."""
 
     def __init__(self, codec: HostCodec, node: int | None) -> None:
         self._ours = codec
@@ -107,7 +107,7 @@ def seen(samples: Sequence[Sample]) -> list[tuple[int, list[int], int]]:
 
 
 async def heard(kinds: Sequence[str], node: int | None, cuts: Sequence[int] | None) -> object:
-    """Return all that a program can see of a link on which frames arrive: one a read, or cut anywhere."""
+    """Return all that a program can observe of a link on which frames arrive: one in a read, or cut at `cuts`."""
     told: list[object] = []
 
     def tell(group: int, sample: Sample) -> None:
@@ -137,7 +137,7 @@ async def heard(kinds: Sequence[str], node: int | None, cuts: Sequence[int] | No
 
 @contextlib.contextmanager
 def scripted_driver() -> Iterator[list[Scripted]]:
-    """Open gateways for ``sim:`` of which a test writes what the host hears, and yield them."""
+    """Have ``sim:`` build gateways whose output the test writes itself, and yield the list of them."""
     made: list[Scripted] = []
 
     def build(*arguments: Any, **options: Any) -> Scripted:
@@ -155,7 +155,7 @@ def scripted_driver() -> Iterator[list[Scripted]]:
 @given(arriving=bursts, cuts=st.lists(st.integers(0, 1 << 20), max_size=8))
 @example(arriving=[Burst("noise", MOST_LINES), Burst("endless sample", 1)], cuts=[])
 @example(arriving=[Burst("noise", MOST_LINES), Burst("endless answer", 1)], cuts=[])
-def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
+def test_frames_cut_anywhere_have_the_result_of_reading_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]
 ) -> None:
     kinds = [kind for burst in arriving for _ in range(burst.length) for kind in TURNS.get(burst.kind, [burst.kind])]
@@ -165,9 +165,7 @@ def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
 
 @pytest.mark.parametrize("burst", [1, 2, 11, 12, 16, 40])
 @on_simulated_time
-async def test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them(
-    make_bare: Maker, burst: int
-) -> None:
+async def test_samples_of_two_groups_in_bursts_reach_their_subscriptions(make_bare: Maker, burst: int) -> None:
     gateway = Scripted(make_bare(**SLOW))
     async with (
         unity_link.connect(gateway) as link,
@@ -200,8 +198,8 @@ async def test_answers_of_the_length_of_samples_reach_their_calls() -> None:
 
 
 @on_simulated_time
-async def test_answers_behind_samples_in_one_read_reach_their_calls() -> None:
-    """Twenty samples and forty answers of their length arrive together."""
+async def test_answers_after_samples_in_one_read_reach_their_calls() -> None:
+    """Twenty samples and forty answers of the same length arrive together."""
     gateway = Scripted(simulated(**SLOW, id_digits=3))
     for address in range(40):
         gateway.memory[0x40 + address] = address

@@ -1,4 +1,4 @@
-"""Recovery of a link from damage: by what arrives, and seldom by waiting. Simulated time passes in waiting alone."""
+"""A link recovers from damage by the frames that arrive, and rarely by waiting. Only waiting takes simulated time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from unity_link.virtual.faults import Failing
 
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @on_simulated_time
-async def test_a_batch_on_a_line_that_damages_one_byte_in_a_hundred_hardly_waits(seed: int) -> None:
+async def test_a_batch_on_a_line_with_1_percent_damage_rarely_waits(seed: int) -> None:
     async with unity_link.connect(f"sim:?flip=0.01&seed={seed}", timeout=60) as link:
         start = asyncio.get_running_loop().time()
         await link.read_many(range(256))
@@ -26,7 +26,7 @@ async def test_a_batch_on_a_line_that_damages_one_byte_in_a_hundred_hardly_waits
 
 @pytest.mark.parametrize(("flip", "most"), [(0.001, 0.02), (0.01, 0.25)])
 @on_simulated_time
-async def test_lone_reads_wait_only_for_damage_that_gives_no_sign(flip: float, most: float) -> None:
+async def test_single_reads_wait_only_for_damage_without_a_sign_of_loss(flip: float, most: float) -> None:
     async with unity_link.connect(f"sim:?flip={flip}&seed=1", timeout=60) as link:
         start = asyncio.get_running_loop().time()
         for _ in range(500):
@@ -44,7 +44,7 @@ def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_twenty() -> None:
 
 
 class DamagingEnds(Valve):
-    """Damages a byte of the next request or its end, or the end of the next answer, where that is wanted."""
+    """Damages a byte of the next request, the end of the next request, or the end of the next answer, as requested."""
 
     def __init__(self, gateway: Gateway) -> None:
         super().__init__(gateway)
@@ -63,7 +63,7 @@ class DamagingEnds(Valve):
 
 @pytest.mark.parametrize("wanted", ["read", "write", "block", "error", "damaged request"])
 @on_simulated_time
-async def test_a_lone_answer_whose_end_is_damaged_costs_no_time_out(wanted: str) -> None:
+async def test_a_damaged_end_of_a_single_answer_causes_no_time_out(wanted: str) -> None:
     line = DamagingEnds(gateway := VirtualGateway())
     gateway.attach(Failing(), [0xF0])
     async with unity_link.connect(line) as link:
@@ -83,7 +83,7 @@ async def test_a_lone_answer_whose_end_is_damaged_costs_no_time_out(wanted: str)
 
 
 @on_simulated_time
-async def test_a_lone_request_whose_end_is_damaged_costs_no_time_out_on_a_line_that_loses() -> None:
+async def test_a_damaged_end_of_a_single_request_causes_no_time_out() -> None:
     line = DamagingEnds(VirtualGateway())
     async with unity_link.connect(line) as link:
         line.requests = True

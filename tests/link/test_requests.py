@@ -28,7 +28,7 @@ def words(gateway: Gateway, start: int, count: int) -> list[int]:
 # Words
 
 
-async def test_a_read_gives_what_is_there(link: Link, gateway: Gateway) -> None:
+async def test_a_read_returns_the_word_at_its_address(link: Link, gateway: Gateway) -> None:
     gateway.memory[0x0A] = 0x12
     assert await link.read(0x0A) == 0x12
 
@@ -40,20 +40,20 @@ async def test_a_write_is_on_the_bus_when_it_returns(link: Link, gateway: Gatewa
     assert await link.read(0xFF) == value
 
 
-async def test_a_masked_write_changes_the_bits_of_the_mask_and_gives_the_old_word(link: Link, gateway: Gateway) -> None:
+async def test_a_masked_write_changes_the_masked_bits_and_returns_the_old_word(link: Link, gateway: Gateway) -> None:
     gateway.memory[7] = 0x0000FF00
     assert await link.write_masked(7, 0x12345678, 0x00000FF0) == 0xFF00
     assert gateway.memory[7] == 0x0000F670
 
 
-async def test_numpy_integers_are_taken_as_words_and_addresses(link: Link, gateway: Gateway) -> None:
+async def test_numpy_integers_are_accepted_as_words_and_addresses(link: Link, gateway: Gateway) -> None:
     address: Any = np.uint8(5)
     word: Any = np.uint32(77)
     await link.write(address, word)
     assert await link.read(address) == 77
 
 
-async def test_numpy_integers_do_not_wrap_where_they_are_reckoned_with(make_gateway: Maker) -> None:
+async def test_calculations_with_numpy_integers_do_not_wrap(make_gateway: Maker) -> None:
     gateway = make_gateway()
     narrow: Any = np.uint8
     async with unity_link.connect(gateway) as link:
@@ -71,7 +71,7 @@ async def test_numpy_integers_do_not_wrap_where_they_are_reckoned_with(make_gate
 
 
 @pytest.mark.parametrize("given", [1.7, "5", None, float("nan")])
-async def test_what_is_no_whole_number_is_refused_in_an_array_of_objects_too(link: Link, given: object) -> None:
+async def test_an_array_of_objects_with_a_value_that_is_no_integer_is_refused(link: Link, given: object) -> None:
     values = np.array([given], object)
     with pytest.raises(ArgumentError, match="a sequence of whole numbers was expected for each value"):
         await link.write_many([0x10], values)
@@ -85,7 +85,7 @@ async def test_what_is_no_whole_number_is_refused_in_an_array_of_objects_too(lin
 
 
 @pytest.mark.parametrize("count", [1, 2, 255, 256])
-async def test_a_block_comes_back_as_it_was_written(make_gateway: Maker, count: int) -> None:
+async def test_a_block_is_read_as_it_was_written(make_gateway: Maker, count: int) -> None:
     gateway = make_gateway()
     values = np.arange(count, dtype=np.uint32) * np.uint32(0x01010101)
     async with unity_link.connect(gateway) as link:
@@ -119,7 +119,7 @@ async def test_a_queue_is_one_address(link: Link, gateway: Gateway) -> None:
 
 
 @pytest.mark.parametrize("count", [1, 7, 31, 32, 33, 200, 5000])
-async def test_thousands_of_words_go_in_one_await(link: Link, gateway: Gateway, count: int) -> None:
+async def test_thousands_of_words_are_transferred_in_one_await(link: Link, gateway: Gateway, count: int) -> None:
     random = np.random.default_rng(count)
     addresses = random.integers(0, 0x80, count)
     values = random.integers(0, 1 << 32, count, dtype=np.uint32)
@@ -164,13 +164,13 @@ async def test_a_refused_access_raises_and_names_the_request(
     assert await link.read(0) == 0
 
 
-async def test_an_address_where_nothing_answers_raises_its_own_error(link: Link) -> None:
+async def test_an_address_without_a_slave_raises_its_own_error(link: Link) -> None:
     with pytest.raises(BusTimeoutError, match="nothing on the bus answered") as caught:
         await link.read(BUS_TIMEOUT)
     assert caught.value.code == 5
 
 
-async def test_what_a_block_did_before_it_failed_stays_done(link: Link, gateway: Gateway) -> None:
+async def test_the_words_of_a_block_before_its_error_are_written(link: Link, gateway: Gateway) -> None:
     with pytest.raises(BusError):
         await link.write_block(BUS_ERROR - 2, [1, 2, 3, 4])
     assert words(gateway, BUS_ERROR - 2, 2) == [1, 2]
@@ -186,7 +186,7 @@ async def test_posted_writes_are_done_in_order_when_the_fence_returns(link: Link
     assert words(gateway, 0, 8) == list(range(992, 1000))
 
 
-async def test_a_fence_raises_the_first_error_of_posted_writes_and_counts_the_others(link: Link) -> None:
+async def test_a_fence_raises_the_first_error_of_posts_and_counts_the_others(link: Link) -> None:
     await link.post(BUS_TIMEOUT, 1)
     for _ in range(3):
         await link.post(BUS_ERROR, 1)
@@ -203,7 +203,7 @@ async def test_one_failed_posted_write_needs_no_note(link: Link) -> None:
     assert not hasattr(caught.value, "__notes__")
 
 
-async def test_errors_of_posted_writes_that_nobody_asks_for_take_no_memory(link: Link) -> None:
+async def test_errors_of_posted_writes_without_a_fence_take_no_memory(link: Link) -> None:
     for _ in range(2000):
         await link.post(BUS_ERROR, 1)
     with pytest.raises(BusError) as caught:
@@ -214,7 +214,7 @@ async def test_errors_of_posted_writes_that_nobody_asks_for_take_no_memory(link:
 
 async def test_posted_writes_are_confirmed_without_a_fence(link: Link, gateway: Gateway) -> None:
     await link.post(1, 5)
-    while link.statistics.in_flight:  # noqa: ASYNC110  (nothing else tells that it was confirmed)
+    while link.statistics.in_flight:  # noqa: ASYNC110  (no event reports the confirmation)
         await asyncio.sleep(0.001)
     assert gateway.memory[1] == 5
 
@@ -230,7 +230,7 @@ async def test_hundreds_of_tasks_share_a_link(link: Link, gateway: Gateway) -> N
     assert await asyncio.gather(*(work(number) for number in range(0xE0))) == [number * 3 for number in range(0xE0)]
 
 
-async def test_a_batch_of_thousands_does_not_hold_up_a_read(link: Link) -> None:
+async def test_a_batch_of_thousands_does_not_delay_a_read(link: Link) -> None:
     done: list[str] = []
 
     async def batch() -> None:
@@ -296,7 +296,7 @@ WRONG: dict[str, Callable[[Link], Awaitable[object]]] = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("call", WRONG.values(), ids=WRONG)
-async def test_a_wrong_argument_raises_before_anything_is_sent(
+async def test_a_wrong_argument_raises_before_a_request_is_sent(
     link: Link, call: Callable[[Link], Awaitable[object]]
 ) -> None:
     sent = link.statistics.bytes_sent
@@ -322,7 +322,7 @@ BARE: dict[str, Callable[[Link], Awaitable[object]]] = {
 
 
 @pytest.mark.parametrize(("name", "call"), BARE.items(), ids=BARE)
-async def test_what_a_gateway_was_built_without_is_named_and_not_sent(
+async def test_a_request_for_a_missing_feature_raises_and_is_not_sent(
     make_gateway: Maker, name: str, call: Callable[[Link], Awaitable[object]]
 ) -> None:
     gateway = make_gateway(features=Feature.FLOW_CONTROL)
@@ -386,17 +386,17 @@ async def test_every_crc_works(make_gateway: Maker, fields: dict[str, int]) -> N
         assert link.statistics.damaged_frames == 0
 
 
-# What a link knows
+# Information about a link
 
 
-async def test_the_link_knows_its_gateway(make_gateway: Maker) -> None:
+async def test_a_link_has_the_configuration_of_its_gateway(make_gateway: Maker) -> None:
     gateway = make_gateway(build_id=0xCAFE)
     async with unity_link.connect(gateway) as link:
         assert link.gateway == gateway.info
         assert link.gateway.build_id == 0xCAFE
 
 
-async def test_statistics_count_what_happened(link: Link) -> None:
+async def test_statistics_count_requests_bytes_and_errors(link: Link) -> None:
     before = link.statistics
     await link.read_many(range(100))
     with pytest.raises(BusError):
@@ -405,7 +405,7 @@ async def test_statistics_count_what_happened(link: Link) -> None:
     assert after.requests == before.requests + 101
     assert after.responses == before.responses + 101
     assert after.errors == before.errors + 1
-    # More where the machine was busy for so long that the link asked again.
+    # A busy machine causes retransmissions, so more bytes may be sent.
     assert after.bytes_sent >= before.bytes_sent + 101 * len("riiiAAcccc\n")
     answers = 100 * len("riiiDDDDDDDDcccc\n") + len("xiii04cccc\n")
     assert after.bytes_received >= before.bytes_received + answers

@@ -1,4 +1,4 @@
-"""A gateway that is reset behind an open line: nothing is told as done that was not, and the link goes on."""
+"""A gateway is reset while its line stays open: no unexecuted request is reported as done, and the link continues."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 @on_simulated_time
-async def test_a_write_to_a_gateway_that_was_reset_is_known_not_to_be_executed(make_direct: Maker) -> None:
+async def test_a_write_after_a_reset_is_reported_as_not_executed(make_direct: Maker) -> None:
     gateway = make_direct(**SLOW)
     async with unity_link.connect(gateway) as link:
         for value in range(200):
@@ -38,15 +38,13 @@ async def test_a_write_to_a_gateway_that_was_reset_is_known_not_to_be_executed(m
 
 @pytest.mark.parametrize("reconnect", [True, False])
 @on_simulated_time
-async def test_what_is_told_of_each_write_when_the_gateway_is_reset_is_true(
-    make_direct: Maker, *, reconnect: bool
-) -> None:
+async def test_the_reported_outcome_of_each_write_at_a_reset_is_true(make_direct: Maker, *, reconnect: bool) -> None:
     gateway = make_direct(**SLOW)
     bus, valve = RecordedBus(gateway), Valve(gateway)
     async with unity_link.connect(valve, reconnect=reconnect) as link:
         tasks = [asyncio.ensure_future(link.write(1, value)) for value in range(20)]
         await asyncio.sleep(0)
-        # Their answers are lost, and the gateway is reset before they are sent again.
+        # The answers are lost, and the gateway is reset before the retransmissions.
         valve.answers_pass = False
         await asyncio.sleep(0)
         await asyncio.sleep(0)
@@ -67,7 +65,7 @@ async def test_what_is_told_of_each_write_when_the_gateway_is_reset_is_true(
 
 
 @on_simulated_time
-async def test_posted_writes_that_met_a_reset_are_an_error_of_the_next_fence(make_direct: Maker) -> None:
+async def test_the_next_fence_raises_for_posted_writes_lost_in_a_reset(make_direct: Maker) -> None:
     gateway = make_direct(**SLOW)
     async with unity_link.connect(gateway) as link:
         await link.fence()
@@ -81,7 +79,7 @@ async def test_posted_writes_that_met_a_reset_are_an_error_of_the_next_fence(mak
 
 
 @on_simulated_time
-async def test_subscriptions_go_on_in_the_next_session(make_direct: Maker) -> None:
+async def test_subscriptions_continue_in_the_next_session(make_direct: Maker) -> None:
     gateway = make_direct(**SLOW)
     gateway.memory[1], gateway.memory[2] = 11, 22
     async with (
@@ -106,7 +104,7 @@ async def test_subscriptions_go_on_in_the_next_session(make_direct: Maker) -> No
 
 
 @on_simulated_time
-async def test_a_program_that_only_takes_samples_gets_those_of_the_next_session(make_direct: Maker) -> None:
+async def test_a_program_that_only_reads_samples_gets_those_of_the_next_session(make_direct: Maker) -> None:
     gateway = make_direct(**SLOW)
     gateway.memory[1] = 11
     async with unity_link.connect(gateway) as link, link.subscribe([1], rate_hz=100) as subscription:
@@ -142,7 +140,7 @@ async def test_a_link_on_which_only_samples_get_through_is_lost_soon(make_direct
 
 
 @on_simulated_time
-async def test_nothing_is_asked_of_a_gateway_where_no_group_is_held(make_direct: Maker) -> None:
+async def test_a_link_without_groups_sends_no_probes(make_direct: Maker) -> None:
     valve = Valve(make_direct(**SLOW))
     async with unity_link.connect(valve) as link:
         async with link.subscribe([1], rate_hz=100) as subscription:
@@ -153,7 +151,7 @@ async def test_nothing_is_asked_of_a_gateway_where_no_group_is_held(make_direct:
 
 
 @on_simulated_time
-async def test_reads_are_answered_by_the_next_session_where_the_link_is_to_go_on(make_direct: Maker) -> None:
+async def test_the_next_session_of_a_reconnecting_link_answers_reads(make_direct: Maker) -> None:
     gateway = make_direct(**SLOW)
     gateway.memory[5] = 55
     async with unity_link.connect(gateway, reconnect=True) as link:
@@ -163,7 +161,7 @@ async def test_reads_are_answered_by_the_next_session_where_the_link_is_to_go_on
 
 
 @on_simulated_time
-async def test_a_gateway_that_is_silent_after_its_reset_is_lost(make_direct: Maker) -> None:
+async def test_a_gateway_that_is_silent_after_its_reset_ends_the_link(make_direct: Maker) -> None:
     valve = Valve(gateway := make_direct(**SLOW))
     async with unity_link.connect(valve) as link:
         gateway.reset()

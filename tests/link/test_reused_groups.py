@@ -1,4 +1,4 @@
-"""A group that is taken again while the line is full: none of its samples is one of its life before."""
+"""A group is used again while the line is full: no sample of its previous use is delivered."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 GROUPS, WORDS = 4, 32
 LIVES = 12
 BYTES_PER_SECOND = 50_000
-"""A fifth of what a group of `WORDS` publishes at 1 kHz."""
+"""A fifth of the bytes per second that a group of `WORDS` words publishes at 1 kHz."""
 
 
 def full_line(gateway: BareGateway) -> Gateway:
-    """Put a line before the model; the compiled gateware of 50 kHz, which sends a byte in each cycle, is one itself."""
+    """Put a slow line before the model; the gateware, compiled with a clock of 50 kHz, sends only a byte per cycle."""
     if isinstance(gateway, RtlGateway):
         assert gateway.info.clock_hz == BYTES_PER_SECOND
         return gateway
@@ -34,7 +34,7 @@ def addresses_of(life: int) -> range:
 
 
 @on_simulated_time
-async def test_a_group_that_is_taken_again_on_a_full_line_gives_no_sample_of_its_life_before(make_bare: Maker) -> None:
+async def test_a_reused_group_on_a_full_line_delivers_no_old_sample(make_bare: Maker) -> None:
     gateway = make_bare(**SLOW, groups=GROUPS, group_words=WORDS)
     for address in range(3 * WORDS):
         gateway.memory[address] = 0x5A00 | address

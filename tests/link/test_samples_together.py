@@ -1,4 +1,4 @@
-"""Samples that arrive together are taken many at a time; that must differ in nothing from one after the other."""
+"""Samples that arrive together are decoded in one go; the result is the same as decoding them one by one."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PERIOD = CLOCK_HZ // 1000
 
 
 class Arriving(NamedTuple):
-    """A line that arrives: the sample that is so many periods behind the one before, or what is none."""
+    """An arriving line: a sample `step` periods after the one before, damaged or replaced as `damage` says."""
 
     step: int
     damage: bytes | None
@@ -40,7 +40,7 @@ lines = st.lists(
 
 
 def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, stamped: bool) -> list[bytes]:
-    """Return the frames of samples, whose values are their numbers, damaged where that is wanted."""
+    """Return the frames of samples whose values are their numbers, damaged as `arriving` says."""
     codec, group = link._session.codec, samples._group
     assert group is not None
     number, frames = -1, []
@@ -57,7 +57,7 @@ def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, st
 
 
 async def received(arriving: list[Arriving], *, stamped: bool, together: bool, buffer: int, crc_bits: int) -> object:
-    """Return all that can be seen of samples that arrive."""
+    """Return all that a program can observe of the samples that arrive."""
     gateway = VirtualGateway(
         GatewayInfo(clock_hz=CLOCK_HZ, base_frequency_millihertz=1_000_000, crc_bits=crc_bits, crc_polynomial=0x07)
     )
@@ -68,7 +68,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
         frames = frames_of(link, samples, arriving, stamped=stamped)
         for piece in [b"".join(frames)] if together else frames:
             link._flow.receive(piece)
-        # Lines that need a look of their own are taken 128 in a turn of the loop.
+        # Lines that are decoded one by one are limited to 128 in a turn of the loop.
         for _ in range(1 + len(frames) // 128):
             await asyncio.sleep(0)
         seen = [
@@ -83,7 +83,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
 @pytest.mark.parametrize("stamped", [True, False])
 @pytest.mark.parametrize("crc_bits", [8, 32])
 @given(arriving=lines, buffer=st.sampled_from([5, 10_000]))
-def test_samples_that_arrive_together_are_those_that_arrive_one_by_one(
+def test_samples_that_arrive_together_are_the_same_as_one_by_one(
     arriving: list[Arriving], buffer: int, *, stamped: bool, crc_bits: int
 ) -> None:
     together, one_by_one = (
@@ -94,7 +94,7 @@ def test_samples_that_arrive_together_are_those_that_arrive_one_by_one(
 
 
 class DoublingLine(Valve):
-    """Has samples arrive twice."""
+    """Delivers each sample twice."""
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         answer = super().advance(now, room)
@@ -102,7 +102,7 @@ class DoublingLine(Valve):
 
 
 @on_simulated_time
-async def test_a_sample_that_a_line_doubles_is_delivered_once() -> None:
+async def test_a_sample_that_a_line_duplicates_is_delivered_once() -> None:
     line = DoublingLine(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))
     async with unity_link.connect(line) as link, link.subscribe([1], rate_hz=1000) as subscription:
         sequences = [(await anext(subscription)).sequence for _ in range(30)]

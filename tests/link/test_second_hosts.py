@@ -1,4 +1,4 @@
-"""Another host on the same line: the link that loses its session ends, and nothing that it was told is untrue."""
+"""Another host on the same line: the link that loses its session ends, and every outcome that it reported is true."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BOOT = b"U-Boot 2024.01\r\nKernel 5\r\n\x00\xffW0\rready\n"
 
 
 class Shared(Valve):
-    """Another host says something before a request of the link, and the link hears the answer, too."""
+    """Another host sends `said` before a request of the link, and the link receives the answer too."""
 
     said = b""
     requests_before = 0
@@ -39,7 +39,7 @@ class Shared(Valve):
 
 
 async def write_all(link: unity_link.Link, first: int, count: int) -> list[int | BaseException]:
-    """Write numbers side by side; return those that were acknowledged, and the errors of the others."""
+    """Write numbers concurrently; return the acknowledged ones, and the errors of the others."""
 
     async def write(number: int) -> int:
         await link.write(number & 0xFF, number)
@@ -51,9 +51,7 @@ async def write_all(link: unity_link.Link, first: int, count: int) -> list[int |
 @pytest.mark.parametrize("requests_before", [0, 1, 7, 30])
 @pytest.mark.parametrize("opening", [PROGRAM, PERSON], ids=["program", "person"])
 @on_simulated_time
-async def test_a_link_whose_session_another_host_ends_says_so_and_acknowledges_nothing_that_was_not_executed(
-    opening: bytes, requests_before: int
-) -> None:
+async def test_a_link_that_loses_its_session_reports_only_true_outcomes(opening: bytes, requests_before: int) -> None:
     bus = RecordedBus(gateway := VirtualGateway())
     line = Shared(gateway)
     async with unity_link.connect(line) as link:
@@ -75,7 +73,7 @@ async def test_a_link_whose_session_another_host_ends_says_so_and_acknowledges_n
 
 @pytest.mark.parametrize("requests_before", [0, 1, 7])
 @on_simulated_time
-async def test_what_a_boot_loader_says_on_the_line_costs_repetitions_at_the_most(requests_before: int) -> None:
+async def test_output_of_a_boot_loader_costs_at_most_retransmissions(requests_before: int) -> None:
     bus = RecordedBus(gateway := VirtualGateway())
     line = Shared(gateway)
     async with unity_link.connect(line) as link:
@@ -87,7 +85,7 @@ async def test_what_a_boot_loader_says_on_the_line_costs_repetitions_at_the_most
 
 @pytest.mark.parametrize("opening", [PROGRAM, PERSON], ids=["program", "person"])
 @on_simulated_time
-async def test_on_a_line_of_nodes_a_link_whose_session_another_host_ends_says_so(opening: bytes) -> None:
+async def test_a_link_that_loses_its_session_on_a_line_of_nodes_reports_it(opening: bytes) -> None:
     line = build_shared_line([1, 2])
     gateway = line.gateways[2]
     assert isinstance(gateway, VirtualGateway)
@@ -113,7 +111,7 @@ def of_node_2(frame: bytes) -> bytes:
 
 
 class Taken(Valve):
-    """Another program begins a session before a group is set up, once."""
+    """Another program opens a session once, just before a group is set up."""
 
     begins = False
 
@@ -125,7 +123,7 @@ class Taken(Valve):
 
 
 @on_simulated_time
-async def test_a_link_that_is_opened_again_while_another_host_begins_ends_and_connects_no_more() -> None:
+async def test_a_link_that_loses_its_session_while_reconnecting_stays_closed() -> None:
     line = Taken(VirtualGateway())
     async with unity_link.connect(line, reconnect=True) as link, link.subscribe([0x10], rate_hz=100) as samples:
         await anext(samples)
@@ -143,14 +141,14 @@ async def test_a_link_that_is_opened_again_while_another_host_begins_ends_and_co
 
 
 class Echoing(Valve):
-    """An adapter that gives back what it sends."""
+    """An adapter that echoes the bytes that it sends."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         return data + super().receive(data, now)
 
 
 @on_simulated_time
-async def test_an_echo_is_passed_over_and_a_read_gives_what_the_gateway_has() -> None:
+async def test_echoes_are_ignored_and_a_read_returns_the_word_of_the_gateway() -> None:
     gateway = VirtualGateway()
     async with unity_link.connect(Echoing(gateway)) as link:
         await link.write(0x10, 0x1234)
@@ -162,7 +160,7 @@ async def test_an_echo_is_passed_over_and_a_read_gives_what_the_gateway_has() ->
 
 
 class LateBoard(Echoing):
-    """An adapter that echoes, with a board that is switched on a second later."""
+    """An adapter that echoes, with a board that is switched on one second later."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         return super().receive(data, now) if now > 1 else data
@@ -176,7 +174,7 @@ class LateBoardDriver:
 
 
 @on_simulated_time
-async def test_an_echo_that_the_url_names_is_passed_over_until_the_gateway_answers() -> None:
+async def test_an_echo_named_in_the_url_is_ignored_until_the_gateway_answers() -> None:
     register("late-board", LateBoardDriver())
     with pytest.raises(ConnectError, match="what is sent comes back as it is"):
         await unity_link.connect("late-board:?echo=0")

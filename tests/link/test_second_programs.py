@@ -1,7 +1,7 @@
-"""Two programs that open one line of the operating system, without knowing of each other, while requests are under way.
+"""Two programs open one line of the operating system, unaware of each other, while requests are in flight.
 
-On TCP each hears all that the gateway says, as behind a server of serial lines that takes any number of clients. Of a
-terminal each byte is read by one of the two.
+On TCP both receive all frames of the gateway, as behind a device server that accepts several clients. On a terminal
+each byte is read by one of the two programs.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ LONGEST_RUN = 60.0
 
 
 class SharedServer(asyncio.Protocol):
-    """Hands what the gateway says to all its clients."""
+    """Passes the output of the gateway to all its clients."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         self.clients: list[asyncio.Transport] = []
@@ -77,13 +77,13 @@ async def on_tcp(gateway: VirtualGateway) -> AsyncIterator[str]:
 
 @pytest.fixture(scope="module")
 def process() -> Iterator[ProcessPoolExecutor]:
-    """Return another process, for the second programs."""
+    """Return another process, in which the second programs run."""
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as process:
         yield process
 
 
 def check(bus: RecordedBus, half: int, asked: list[int], acknowledged: set[int]) -> None:
-    """Compare the writes of a program with those that were executed."""
+    """Compare the writes of a program with those that the bus executed."""
     executed = [word for address, word in bus.writes if address == ADDRESSES[half]]
     assert executed == sorted(set(executed))
     assert acknowledged <= set(executed) <= set(asked)
@@ -109,7 +109,7 @@ async def two_programs(line: Line, process: ProcessPoolExecutor, seed: int) -> N
         for lost in (ask_until_it_is_lost(first, draw), samples):
             with pytest.raises(LinkLostError, match="another program"):
                 await lost
-        # Its end raises what became of the posted writes, if any were under way.
+        # Closing raises the errors of posted writes, if any were in flight.
         with contextlib.suppress(LinkLostError):
             await first.link.aclose()
         check(bus, 1, *await second)
@@ -118,7 +118,7 @@ async def two_programs(line: Line, process: ProcessPoolExecutor, seed: int) -> N
 
 @pytest.mark.parametrize("seed", seeds(5, 100))
 @pytest.mark.parametrize("line", [on_tcp, serve_pty], ids=["tcp", "pty"])
-def test_a_second_program_has_the_first_one_end_and_no_acknowledged_write_is_lost(
+def test_a_second_program_ends_the_first_without_losing_a_write(
     line: Line, process: ProcessPoolExecutor, seed: int
 ) -> None:
     asyncio.run(two_programs(line, process, seed))

@@ -1,6 +1,6 @@
-"""Samples that waited for a program which stood still are counted and dated as they were taken.
+"""Samples that waited while the program was stopped are counted and dated as they were taken.
 
-Their truth is known: `support.taken_samples` makes them.
+`support.taken_samples` generates the samples, so the true numbers and times are known.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ class Host:
     """The host's side of some periodic groups.
 
     Args:
-        clock_hz: of the gateway.
-        divisors: of the groups.
+        clock_hz: clock frequency of the gateway.
+        divisors: divisors of the groups.
     """
 
     def __init__(self, clock_hz: int, divisors: list[int]) -> None:
@@ -50,7 +50,7 @@ class Host:
             receiver.restart()
 
     def read(self, taken: list[Taken], now: float, way: str) -> None:
-        """Take what has arrived, in one of the ways that the session chooses from."""
+        """Receive the samples that have arrived, by one of the code paths that the session chooses from."""
         bodies = np.array([np.frombuffer(one.body(), np.uint8) for one in taken])
         if way == "one by one" or len(taken) < 2:
             for one in taken:
@@ -72,7 +72,7 @@ class Host:
     divisors=st.lists(st.integers(100, 3000), min_size=1, max_size=2),
 )
 @settings(max_examples=examples(30), deadline=None)
-def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_host_stood_still(
+def test_samples_are_counted_and_dated_as_taken_after_any_stop(
     reads: list[tuple[float, int, str]], clock_hz: int, divisors: list[int], began: int, seed: int
 ) -> None:
     host, arrivals = Host(clock_hz, divisors), arrivals_of(reads, clock_hz, divisors, began, seed)
@@ -89,7 +89,7 @@ def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_host_
 
 @pytest.mark.parametrize("way", ["one by one", "together", "rows"])
 @pytest.mark.parametrize("clock_hz", [50_000_000, 100_000_000])
-def test_nothing_is_told_as_lost_after_a_minute_in_which_the_program_stood_still(way: str, clock_hz: int) -> None:
+def test_no_sample_is_counted_as_lost_after_a_minute_without_a_read(way: str, clock_hz: int) -> None:
     host, period = Host(clock_hz, [10]), 0.01
     taken = [Taken(number * period, 0, number, round(number * period * clock_hz)) for number in range(6200)]
     host.read(taken[:20], 0.2, way)
@@ -102,7 +102,7 @@ def test_nothing_is_told_as_lost_after_a_minute_in_which_the_program_stood_still
 
 
 @pytest.mark.parametrize("way", ["one by one", "together", "rows"])
-def test_the_minutes_that_a_full_buffer_has_lost_behind_what_it_kept_are_counted(way: str) -> None:
+def test_minutes_of_samples_dropped_by_a_full_buffer_are_counted(way: str) -> None:
     host, period, clock_hz = Host(100_000_000, [10]), 0.01, 100_000_000
     taken = [Taken(number * period, 0, number, round(number * period * clock_hz)) for number in range(60_100)]
     host.read(taken[:20], 0.2, way)

@@ -1,4 +1,4 @@
-"""Samples that a gateway takes by itself, in every form. Where time matters it is simulated."""
+"""Samples that a gateway takes by itself, in every form. Time is simulated in tests that depend on it."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ async def take(samples: Subscription, count: int) -> list[Sample]:
     return [await anext(samples) for _ in range(count)]
 
 
-# On any gateway
+# On every kind of gateway
 
 
 @pytest.mark.asyncio
-async def test_a_subscription_gives_the_words_of_its_addresses(link: Link, gateway: Gateway) -> None:
+async def test_a_subscription_returns_the_words_of_its_addresses(link: Link, gateway: Gateway) -> None:
     await link.write_block(0x10, [1, 2, 3])
     async with link.subscribe([0x12, 0x10], rate_hz=200) as samples:
         first, second = await take(samples, 2)
@@ -48,7 +48,7 @@ async def test_a_subscription_gives_the_words_of_its_addresses(link: Link, gatew
 
 
 @pytest.mark.asyncio
-async def test_a_sample_can_be_asked_for(link: Link) -> None:
+async def test_a_sample_can_be_requested(link: Link) -> None:
     async with link.subscribe(0x10) as samples:
         assert samples.rate_hz is None
         for value in range(600):
@@ -61,7 +61,7 @@ async def test_a_sample_can_be_asked_for(link: Link) -> None:
 
 
 @pytest.mark.asyncio
-async def test_samples_and_batches_go_on_side_by_side(link: Link) -> None:
+async def test_samples_and_batches_are_transferred_concurrently(link: Link) -> None:
     async with link.subscribe([1, 2, 3], rate_hz=5000) as samples:
         await link.write_many(range(0x80), range(0x80))
         for _ in range(5):
@@ -70,7 +70,7 @@ async def test_samples_and_batches_go_on_side_by_side(link: Link) -> None:
 
 
 @pytest.mark.asyncio
-async def test_without_timestamps_there_is_no_time(link: Link) -> None:
+async def test_samples_without_timestamps_have_no_time(link: Link) -> None:
     async with link.subscribe([0], timestamps=False, immediate=True) as samples:
         await samples.publish()
         assert (await anext(samples)).time is None
@@ -86,14 +86,16 @@ async def test_a_callback_is_called_with_each_sample(link: Link) -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_callback_that_raises_is_logged_and_stops_nothing(link: Link, caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_callback_that_raises_is_logged_and_the_link_goes_on(
+    link: Link, caplog: pytest.LogCaptureFixture
+) -> None:
     def fail(sample: Sample) -> None:
         raise ZeroDivisionError(sample.sequence)
 
     async with link.subscribe([0x10], callback=fail) as samples:
         await samples.publish()
         await samples.publish()
-    # Once for each type of exception.
+    # The error is logged once for each type of exception.
     ((message, error),) = told(caplog)
     assert message == "a subscription's callback raised ZeroDivisionError (told once)"
     assert str(error) == "0"
@@ -101,7 +103,7 @@ async def test_a_callback_that_raises_is_logged_and_stops_nothing(link: Link, ca
 
 
 @pytest.mark.asyncio
-async def test_two_subscriptions_do_not_mix(link: Link) -> None:
+async def test_two_subscriptions_receive_their_own_samples(link: Link) -> None:
     await link.write_block(0, [10, 11])
     async with link.subscribe([0]) as one, link.subscribe([1]) as other:
         await other.publish()
@@ -111,7 +113,7 @@ async def test_two_subscriptions_do_not_mix(link: Link) -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_subscription_without_its_block_says_what_to_write_at_once() -> None:
+async def test_the_error_for_a_subscription_without_a_block_shows_the_code() -> None:
     async with unity_link.connect("sim:") as link:
         samples = link.subscribe([0x10], rate_hz=100)
         for ask in (samples.take, samples.__anext__, samples.publish):
@@ -129,7 +131,7 @@ async def test_iteration_ends_with_the_block(link: Link) -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_waiting_reader_is_let_go_when_the_block_ends(link: Link) -> None:
+async def test_the_end_of_the_block_ends_a_waiting_reader(link: Link) -> None:
     async def read(samples: Subscription) -> list[Sample]:
         return [sample async for sample in samples]
 
@@ -178,9 +180,9 @@ async def test_all_groups_can_be_in_use_and_are_free_again_afterwards(make_gatew
 
 
 @pytest.mark.asyncio
-async def test_a_reused_group_starts_anew(link: Link) -> None:
+async def test_a_reused_group_starts_with_number_0(link: Link) -> None:
     async with link.subscribe([0x20]), contextlib.AsyncExitStack() as others:
-        # All groups but one.
+        # Use all groups but one.
         for _ in range(link.gateway.groups - 2):
             await others.enter_async_context(link.subscribe([0x20]))
         for address in range(20):
@@ -217,7 +219,7 @@ async def test_a_reused_group_starts_anew(link: Link) -> None:
     ],
     ids=lambda value: str(value)[:50],
 )
-async def test_a_wrong_subscription_raises_before_anything_is_sent(
+async def test_a_wrong_subscription_raises_before_a_request_is_sent(
     link: Link, arguments: dict[str, Any], message: str
 ) -> None:
     sent, info = link.statistics.bytes_sent, link.gateway
@@ -237,7 +239,7 @@ async def test_a_wrong_subscription_raises_before_anything_is_sent(
         (Feature.GROUPS, {"timestamps": True}, "timestamps"),
     ],
 )
-async def test_a_gateway_without_the_feature_is_told_by_name(
+async def test_the_error_for_a_missing_feature_names_it(
     make_gateway: Maker, features: Feature, arguments: dict[str, Any], name: str
 ) -> None:
     async with unity_link.connect(make_gateway(features=features | Feature.FLOW_CONTROL)) as link:
@@ -246,7 +248,7 @@ async def test_a_gateway_without_the_feature_is_told_by_name(
 
 
 @pytest.mark.asyncio
-async def test_timestamps_are_used_where_the_gateway_can(make_gateway: Maker) -> None:
+async def test_timestamps_are_used_if_the_gateway_has_them(make_gateway: Maker) -> None:
     async with (
         unity_link.connect(make_gateway(features=Feature.GROUPS | Feature.FLOW_CONTROL)) as link,
         link.subscribe([0]) as samples,
@@ -259,7 +261,7 @@ async def test_timestamps_are_used_where_the_gateway_can(make_gateway: Maker) ->
 
 
 @on_simulated_time
-async def test_samples_come_at_the_rate_that_was_asked_for(make_bare: Maker) -> None:
+async def test_samples_arrive_at_the_requested_rate(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
         async with link.subscribe([0], rate_hz=300) as samples:
             assert samples.rate_hz == pytest.approx(1000 / 3)
@@ -282,7 +284,7 @@ async def test_an_external_trigger_takes_samples(make_bare: Maker) -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_on_change_only_changes_come_and_nothing_counts_as_lost(make_bare: Maker) -> None:
+async def test_only_changes_arrive_with_on_change_and_none_counts_as_lost(make_bare: Maker) -> None:
     async with (
         unity_link.connect(make_bare(**SLOW)) as link,
         link.subscribe([0, 1], rate_hz=1000, on_change=True) as samples,
@@ -299,7 +301,7 @@ async def test_on_change_only_changes_come_and_nothing_counts_as_lost(make_bare:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_time_goes_on_over_the_wrap_of_timestamps_and_long_silence(make_bare: Maker) -> None:
+async def test_time_continues_over_wraps_of_timestamps_and_long_silence(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(clock_hz=50_000_000)) as link, link.subscribe([0]) as samples:
         times: list[float] = []
         for pause in [1, 40, 3, 43, 500, 3600, 0.5, 0]:
@@ -308,11 +310,11 @@ async def test_time_goes_on_over_the_wrap_of_timestamps_and_long_silence(make_ba
             assert sample.time is not None
             times.append(sample.time)
             await asyncio.sleep(pause)
-    # What is asked for takes a little time in the gateware.
+    # A requested sample takes a little time in the gateware.
     assert np.diff(times) == pytest.approx([1, 40, 3, 43, 500, 3600, 0.5], abs=1e-4)
 
 
-def test_a_clock_of_the_gateway_that_is_a_little_off_is_followed() -> None:
+def test_the_time_of_samples_follows_a_gateway_clock_that_is_slightly_off() -> None:
     clock, start = GatewayClock(50_000_000), 12345
     for step in range(100):
         here = step * 60.0
@@ -320,7 +322,7 @@ def test_a_clock_of_the_gateway_that_is_a_little_off_is_followed() -> None:
         assert clock.seconds(ticks & 0xFFFFFFFF, here) == pytest.approx(ticks / 50_000_000)
 
 
-def test_a_sample_that_overtakes_another_goes_back_in_time() -> None:
+def test_a_sample_overtaken_by_another_has_an_earlier_time() -> None:
     clock = GatewayClock(1000)
     assert clock.seconds(0x10, 0.0) == 0.016
     assert clock.seconds(0x05, 0.0) == 0.005
@@ -328,7 +330,7 @@ def test_a_sample_that_overtakes_another_goes_back_in_time() -> None:
 
 
 class Dropping:
-    """A gateway that keeps chosen samples to itself."""
+    """A gateway that does not send chosen samples."""
 
     open = Gateway.open
 
@@ -354,7 +356,7 @@ class Dropping:
 
 @pytest.mark.parametrize("lost", [1, 7, 100, 255, 256, 300, 1000])
 @on_simulated_time
-async def test_lost_samples_are_counted_however_many_when_they_have_timestamps(make_bare: Maker, lost: int) -> None:
+async def test_any_number_of_lost_samples_with_timestamps_is_counted(make_bare: Maker, lost: int) -> None:
     gateway = Dropping(make_bare(**SLOW))
     async with unity_link.connect(gateway) as link, link.subscribe([0], rate_hz=1000) as samples:
         before = (await take(samples, 10))[-1]
@@ -384,7 +386,7 @@ async def test_without_timestamps_up_to_255_lost_samples_are_counted(make_bare: 
 
 
 @on_simulated_time
-async def test_a_slow_reader_loses_the_oldest_and_is_told_how_many(make_bare: Maker) -> None:
+async def test_a_slow_reader_loses_the_oldest_samples_and_gets_their_count(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0], buffer=4) as samples:
         for _ in range(10):
             await samples.publish()
@@ -408,7 +410,7 @@ async def test_samples_lost_on_the_way_and_in_the_buffer_add_up(make_bare: Maker
 
 
 @on_simulated_time
-async def test_a_slow_reader_may_choose_to_fail_behind_the_samples_that_wait(make_bare: Maker) -> None:
+async def test_a_slow_reader_may_choose_to_fail_after_the_waiting_samples(make_bare: Maker) -> None:
     async with (
         unity_link.connect(make_bare(**SLOW)) as link,
         link.subscribe([0], buffer=3, overflow="fail") as samples,
@@ -437,7 +439,7 @@ async def test_samples_are_right_or_counted_as_lost_on_a_bad_line(make_bare: Mak
 
 
 @on_simulated_time
-async def test_what_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker) -> None:
+async def test_a_frame_that_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0]) as samples:
         samples._receiver.receive(b"P0000", 0.0)
         samples._receiver.receive(b"P00000000000G00000000", 0.0)
@@ -445,11 +447,11 @@ async def test_what_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker
         assert samples.received == 0
 
 
-# Groups that nobody wants any more
+# Groups without a subscription
 
 
 async def is_silent(link: Link) -> bool:
-    """Return whether nothing is published any more, once a bad line had time for some repetitions."""
+    """Return true if the gateway publishes nothing, after a bad line has had time for some retransmissions."""
     await asyncio.sleep(5)
     before = link.statistics.bytes_received
     await asyncio.sleep(1)
@@ -458,9 +460,9 @@ async def is_silent(link: Link) -> bool:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_subscription_that_is_cancelled_leaves_no_group_running_on_a_bad_line(make_bare: Maker) -> None:
+async def test_a_cancelled_subscription_stops_its_group_on_a_bad_line(make_bare: Maker) -> None:
     for seed in range(50):
-        # A CRC of 8 bits lets one damaged request in 256 through, and this line damages more.
+        # A CRC of 8 bits passes one damaged request in 256, and this line damages more than that.
         gateway = make_bare(**SLOW, groups=4, crc_bits=32, crc_polynomial=0x04C11DB7)
         noise = {"loss": 0.02}
         line = NoisyLine(gateway, Noise(seed, **noise), Noise(seed + 1, **noise))
@@ -476,7 +478,7 @@ async def test_a_subscription_that_is_cancelled_leaves_no_group_running_on_a_bad
 
 
 @on_simulated_time
-async def test_a_subscription_that_is_cancelled_while_it_is_set_up_leaves_no_group_running(make_bare: Maker) -> None:
+async def test_a_subscription_cancelled_during_set_up_leaves_no_running_group(make_bare: Maker) -> None:
     for delay in range(12):
         gateway = make_bare(**SLOW, groups=4)
         async with unity_link.connect(gateway) as link:
@@ -496,18 +498,18 @@ async def test_a_subscription_that_is_cancelled_while_it_is_set_up_leaves_no_gro
 
 
 @on_simulated_time
-async def test_a_subscription_ends_with_the_link_behind_its_samples(make_bare: Maker) -> None:
+async def test_a_subscription_ends_with_the_link_after_its_samples(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0]) as samples:
         await samples.publish()
         await link.aclose()
         assert (await anext(samples)).sequence == 0
-        # No request was made for a sample, so nothing is said of one.
+        # No call waits for an answer, so the error has no outcome of a request.
         with pytest.raises(LinkLostError, match=r"^the link was closed$"):
             await anext(samples)
 
 
 @on_simulated_time
-async def test_a_subscription_is_entered_again_after_a_try_that_was_cancelled(make_bare: Maker) -> None:
+async def test_a_subscription_may_be_entered_again_after_a_cancelled_try(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare()) as link:
         samples = link.subscribe([0], rate_hz=100)
         with pytest.raises(TimeoutError):
@@ -529,7 +531,7 @@ async def test_a_reader_that_does_not_read_takes_bounded_memory(make_bare: Maker
 
 
 @on_simulated_time
-async def test_a_controller_that_is_slower_than_the_rate_reads_the_latest_sample_alone() -> None:
+async def test_a_controller_slower_than_the_rate_reads_only_the_latest_sample() -> None:
     async with (
         unity_link.connect(VirtualGateway()) as link,
         link.subscribe(0x10, rate_hz=100, latest=True) as samples,
@@ -542,7 +544,7 @@ async def test_a_controller_that_is_slower_than_the_rate_reads_the_latest_sample
 
 
 @on_simulated_time
-async def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end() -> None:
+async def test_take_returns_the_requested_number_of_samples_or_fewer_at_the_end() -> None:
     link = await unity_link.connect(VirtualGateway())
     async with link.subscribe(0x10, rate_hz=100) as samples:
         assert [sample.sequence for sample in await samples.take(5)] == [0, 1, 2, 3, 4]
@@ -560,9 +562,7 @@ async def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_e
 @on_simulated_time
 @pytest.mark.parametrize("buffer", [5, 100, 10_000])
 @pytest.mark.parametrize("seconds", [0.001, 0.05, 0.3])
-async def test_what_had_come_when_a_reader_was_cancelled_is_given_to_the_next_or_counted(
-    buffer: int, seconds: float
-) -> None:
+async def test_samples_of_a_cancelled_reader_reach_the_next_one_or_are_counted(buffer: int, seconds: float) -> None:
     async with (
         unity_link.connect(VirtualGateway()) as link,
         link.subscribe(0x10, rate_hz=1000, buffer=buffer) as samples,
@@ -580,7 +580,7 @@ async def test_what_had_come_when_a_reader_was_cancelled_is_given_to_the_next_or
 
 
 @on_simulated_time
-async def test_the_latest_sample_is_the_latest_also_behind_a_reader_that_was_cancelled() -> None:
+async def test_the_latest_sample_is_returned_after_a_cancelled_reader_too() -> None:
     async with (
         unity_link.connect(VirtualGateway()) as link,
         link.subscribe(0x10, rate_hz=100, latest=True) as samples,
@@ -593,7 +593,7 @@ async def test_the_latest_sample_is_the_latest_also_behind_a_reader_that_was_can
 
 
 @on_simulated_time
-async def test_samples_that_waited_when_a_reader_was_cancelled_are_too_many_for_a_small_buffer() -> None:
+async def test_samples_left_by_a_cancelled_reader_count_for_a_small_buffer() -> None:
     async with (
         unity_link.connect(VirtualGateway()) as link,
         link.subscribe(0x10, rate_hz=100, buffer=2, overflow="fail") as samples,
@@ -609,7 +609,7 @@ async def test_samples_that_waited_when_a_reader_was_cancelled_are_too_many_for_
 
 
 @on_simulated_time
-async def test_a_callback_that_raises_is_told_once_for_each_type(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_callback_that_raises_is_logged_once_for_each_type(caplog: pytest.LogCaptureFixture) -> None:
     def fail(_: object) -> None:
         raise ZeroDivisionError
 

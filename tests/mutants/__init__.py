@@ -1,1 +1,1 @@
-"""Mutation testing of the protocol room: small wrongs put into it by chance, each of which some test must find."""
+"""Mutation testing of `protocol` and `capture`: small random faults are put in, each of which a test must find."""

@@ -1,7 +1,7 @@
-"""Put mutants into `protocol` and `capture`, and count those that survive: ``python -m mutants``, from `tests`.
+"""Put mutants into `protocol` and `capture`, and count the surviving ones: ``python -m mutants``, from `tests`.
 
-What was found stands in a file, mutant by mutant: a run that was interrupted goes on where it was. The exit status is 1
-where fewer than nine of ten are killed.
+The results are stored in a file, mutant by mutant, so an interrupted run can be continued. The exit status is 1 if
+fewer than nine of ten mutants are killed.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ ENOUGH = 0.9
 
 
 class Result(msgspec.Struct):
-    """Fate of a mutant."""
+    """Result of running tests on a mutant."""
 
     status: str
     by: str
@@ -32,7 +32,7 @@ class Result(msgspec.Struct):
 
 
 def main() -> int:
-    """Do what the command line says; returns the exit status."""
+    """Run as the command line says; return the exit status."""
     options = _options()
     os.chdir(ROOT)
     folder = Path(options.folder)
@@ -81,7 +81,7 @@ def _options() -> argparse.Namespace:
 
 
 def _hash(*places: Path) -> str:
-    """Return what changes with sources, or with those in folders."""
+    """Return a hash of source files, or of all sources in folders."""
     found = hashlib.sha256()
     for place in places:
         for path in sorted(place.rglob("*.py")) if place.is_dir() else [place]:

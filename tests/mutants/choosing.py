@@ -1,4 +1,4 @@
-"""The mutants of `protocol` and `capture`: places drawn by chance, with an operator of Cosmic Ray for each."""
+"""Chooses the mutants of `protocol` and `capture`: random places, with an operator of Cosmic Ray for each."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Position = tuple[int, int]
 
 
 class Mutant(msgspec.Struct, frozen=True):
-    """One wrong: the occurrence of an operator in a module."""
+    """One mutant: an occurrence of an operator in a module."""
 
     module: str
     """Path of the module in the package, without its ending, as ``protocol/wire/crc``."""
@@ -40,24 +40,24 @@ class Mutant(msgspec.Struct, frozen=True):
 
     @property
     def path(self) -> Path:
-        """The module, seen from the top of the repository."""
+        """Path of the module, relative to the top of the repository."""
         return PACKAGE / f"{self.module}.py"
 
     def source(self) -> str:
-        """Return the module with the wrong in it."""
+        """Return the source of the module with the mutation."""
         mutated = mutate_code((ROOT / self.path).read_text("utf-8"), get_operator(self.operator)(), self.occurrence)
         assert isinstance(mutated, str)
         return mutated
 
     def difference(self) -> str:
-        """Return the lines that it changes."""
+        """Return the changed lines as a difference."""
         before, after = (text.split("\n") for text in ((ROOT / self.path).read_text("utf-8"), self.source()))
         lines = difflib.unified_diff(before, after, lineterm="", n=0)
         return "\n".join(line for line in lines if not line.startswith(("---", "+++", "@@")))
 
 
 def choose(count: int, seed: int) -> list[Mutant]:
-    """Return so many mutants, of which no two are at one place; the first are the same for every count."""
+    """Return `count` mutants, no two at the same place; a larger count keeps the first ones."""
     by_place: dict[tuple[str, Position, Position], list[Mutant]] = {}
     for path in sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")):
         for start, end, mutant in _mutants_of(path):
@@ -69,7 +69,7 @@ def choose(count: int, seed: int) -> list[Mutant]:
 
 
 def module_of(path: Path) -> str:
-    """Return the name by which mutants know a file of the package."""
+    """Return the module name of a file of the package, as in `Mutant.module`."""
     return path.relative_to(ROOT / PACKAGE).with_suffix("").as_posix()
 
 
@@ -90,13 +90,13 @@ def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
 
 
 def _tells_nothing(name: str) -> bool:
-    """Return whether an operator needs arguments, or asks for identity, which small numbers have."""
+    """Return true if an operator needs arguments, or compares by identity, which is equality for small numbers."""
     before, _, after = name.removeprefix("core/ReplaceComparisonOperator_").partition("_")
     return bool(get_operator(name).arguments()) or (after.startswith("Is") and not before.startswith("Is"))
 
 
 def _left_alone(tree: ast.Module) -> Iterator[tuple[Position, Position]]:
-    """Return what no program runs: texts for people, types, and statements about them."""
+    """Yield the places that programs do not execute: texts for people, types, and statements about types."""
     for node in ast.walk(tree):
         match node:
             case ast.Assert():

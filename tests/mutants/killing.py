@@ -1,7 +1,7 @@
-"""Running tests on a mutant, in a process of its own: those that reach its lines, the quickest first, until one fails.
+"""Runs tests on a mutant in a process of its own: the tests that reach its lines, the quickest first, until one fails.
 
-A process is forked for each mutant. It has the test tools and libraries already, and takes the mutated module in place
-of the one on disk; nothing in the repository is changed.
+A process is forked for each mutant. The process already has the test tools and libraries, and loads the mutated module
+in place of the one on disk; no file in the repository changes.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ LIBRARIES = [
     "usb.core",
     "xdist.scheduler",
 ]
-"""Modules that the tests import, and that each forked process has already."""
+"""Modules that the tests import, and that each forked process already has."""
 WORLDS = "tests/mutants/worlds.py"
-"""Run on each mutant that they reach, however many other tests do."""
+"""Scenarios that run on each mutant that they reach, however many other tests do."""
 TESTS = [
     "tests/capture",
     "tests/protocol",
@@ -65,17 +65,17 @@ TESTS = [
     "tests/link/test_subscriptions.py",
 ]
 ONE_FACE = "not (blocking or ftdi or mmio or pipes or serve or trio or zenoh)"
-"""A link's tests are run on its own medium and face alone."""
+"""Tests of a link run on only one medium and one API."""
 LONGEST_TEST = 20.0
-"""Seconds that a test takes at most that is run on mutants."""
+"""Longest duration in seconds of a test that is run on mutants."""
 MOST_EXAMPLES = 25
-"""Examples that hypothesis tries in each."""
+"""Number of examples that hypothesis tries in each test."""
 FIRST = 25
-"""So many tests are run before all others are looked at."""
+"""Number of tests that run before all others are considered."""
 PATIENCE = 900
-"""Seconds after which a mutant hangs."""
+"""Seconds after which a mutant counts as hanging."""
 MOST_WORK = 300
-"""Seconds of a processor, the same."""
+"""Seconds of processor time after which a mutant counts as hanging."""
 MOST_MEMORY = 4 << 30
 TOO_MUCH = "it takes too much"
 QUIETLY = [
@@ -95,11 +95,11 @@ Reached = dict[str, dict[int, list[str]]]
 
 
 class _Steady:
-    """Has hypothesis search the same way each time, and not for the smallest example: one is enough."""
+    """Makes the search of hypothesis deterministic, without a search for the smallest failing example."""
 
     @pytest.hookimpl
     def pytest_sessionstart(self) -> None:
-        """Settle how hypothesis searches."""
+        """Configure hypothesis."""
         phases = (Phase.explicit, Phase.generate)
         settings.register_profile(
             "mutants", settings.get_profile("quick"), phases=phases, database=None, max_examples=MOST_EXAMPLES
@@ -108,7 +108,7 @@ class _Steady:
 
 
 class _Observer(_Steady):
-    """Notes how long each test takes and what it reaches."""
+    """Records the duration and the reached lines of each test."""
 
     def __init__(self, measured: coverage.Coverage) -> None:
         self.seconds: Timed = {}
@@ -130,7 +130,7 @@ def file_of(test: str) -> Path:
 
 
 def observe(kept: Path) -> tuple[Timed, Reached]:
-    """Return how long each test takes, and which reach each line; that is kept in a file, and taken from there."""
+    """Return the duration of each test, and the tests that reach each line; results are cached in a file."""
     for library in LIBRARIES:
         importlib.import_module(library)
     if not kept.exists():
@@ -166,13 +166,13 @@ def _observe_here(kept: Path) -> None:
 def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -> list[str]:
     """Return the tests that reach a mutant, the quickest first.
 
-    Where the import runs it, or the making of a function, those that reach its module; where no test reaches that, all.
+    If the line is not in a function, these are the tests that reach its module; if no test reaches it, all tests.
 
     Args:
         mutant: the mutant.
-        seconds: how long each test takes.
-        reached: which tests reach each line.
-        search: how long all of them may take together.
+        seconds: duration of each test.
+        reached: tests that reach each line.
+        search: largest total duration in seconds.
     """
     of_module = reached.get(mutant.module, {})
     lines = range(mutant.line, mutant.last_line + 1) if mutant.is_in_a_function else ()
@@ -185,7 +185,7 @@ def tests_for(mutant: Mutant, seconds: Timed, reached: Reached, search: float) -
 
 
 def verdict(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
-    """Return whether tests kill a mutant, and by which."""
+    """Return the status of a mutant after running tests on it, and the test that killed it."""
     for some in (tests[:FIRST], tests[FIRST:]):
         if some:
             status, by = _run(mutant, some)
@@ -201,7 +201,7 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
             try:
                 _run_here(mutant, tests, noted.name)
             finally:
-                # Whatever a mutant raises: what forked this process goes on in the other one alone.
+                # Exit even if the mutant raises: only the parent process may continue after the fork.
                 os._exit(1)
         deadline = time.monotonic() + PATIENCE
         while os.waitpid(process, os.WNOHANG) == (0, 0):
@@ -211,12 +211,12 @@ def _run(mutant: Mutant, tests: Sequence[str]) -> tuple[str, str]:
                 return KILLED, TOO_MUCH
             time.sleep(0.02)
         said = noted.read()
-    # A process that the system ended, for its time or memory, has noted nothing.
+    # A process that the system ended, because of its time or memory, has written no result.
     return (SURVIVED, "") if said == "0" else (KILLED, said or TOO_MUCH)
 
 
 def _resident(process: int) -> int:
-    """Return the bytes of memory that a process has. The system's limit of addresses would stop sanitizers in C."""
+    """Return the bytes of memory of a process. A limit of its address space would stop sanitizers in C."""
     pages = int(Path(f"/proc/{process}/statm").read_text().split()[1])
     return pages * resource.getpagesize()
 
@@ -234,24 +234,24 @@ def _run_here(mutant: Mutant, tests: Sequence[str], noted: str) -> None:
 
 
 class _Noter(_Steady):
-    """Notes which test fails."""
+    """Records the failing test."""
 
     def __init__(self) -> None:
         self.failed = ""
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
-        """Look at the end of a test."""
+        """Record a test that failed."""
         if report.failed:
             self.failed = report.nodeid
 
     def pytest_collectreport(self, report: pytest.CollectReport) -> None:
-        """Look at the import of tests."""
+        """Record a module of tests that failed to import."""
         if report.failed:
             self.failed = self.failed or f"{report.nodeid or 'collection'} cannot be imported"
 
 
-class _Mutated(importlib.abc.MetaPathFinder, importlib.abc.SourceLoader):  # type: ignore[misc]  # typeshed has them apart
-    """Gives one module with a wrong in it."""
+class _Mutated(importlib.abc.MetaPathFinder, importlib.abc.SourceLoader):  # type: ignore[misc]  # typeshed separates them
+    """Loads one module with a mutation in it."""
 
     def __init__(self, mutant: Mutant) -> None:
         self._name = ".".join(mutant.path.with_suffix("").parts).removesuffix(".__init__")
@@ -260,17 +260,17 @@ class _Mutated(importlib.abc.MetaPathFinder, importlib.abc.SourceLoader):  # typ
     def find_spec(
         self, name: str, path: Iterable[str] | None = None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """Find the module."""
+        """Return the specification of the mutated module, or None for other modules."""
         if name != self._name:
             return None
         return importlib.util.spec_from_file_location(name, self._path, loader=self)
 
     def get_filename(self, fullname: str) -> str:
-        """Return where the module stands."""
+        """Return the path of the module."""
         return self._path
 
     def get_data(self, path: str | bytes) -> bytes:
-        """Return the source; there is nothing compiled."""
+        """Return the source; there is no compiled file."""
         if path != self._path:
             raise OSError
         return self._source

@@ -1,4 +1,4 @@
-"""A TosNet network, behind the double buffers that it really has: they change places with the next cycle."""
+"""A TosNet network with its double buffers, which are exchanged at the next cycle."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ BASE = 0x400
 
 
 class Accesses:
-    """A device behind a bus that knows no time: a cycle takes so many accesses of all its devices."""
+    """A device on a bus without time: a cycle of the network takes a number of accesses to all its devices."""
 
     passed = 0
 
@@ -55,7 +55,7 @@ def network(cycle: int = 3) -> tuple[VirtualGateway, SharedMemory]:
 
 
 @pytest.mark.parametrize("cycle", [1, 2, 3, 5, 7, 50])
-def test_no_set_point_goes_back_to_an_older_one_however_the_cycles_fall(cycle: int) -> None:
+def test_no_set_point_returns_to_an_older_value_at_any_phase_of_cycles(cycle: int) -> None:
     @on_simulated_time
     async def check() -> None:
         gateway, memory = network(cycle)
@@ -75,7 +75,7 @@ def test_no_set_point_goes_back_to_an_older_one_however_the_cycles_fall(cycle: i
 
 
 @on_simulated_time
-async def test_figure_1_commits_where_ctrl_is_given_and_does_not_where_it_is_not() -> None:
+async def test_figure_1_commits_only_if_ctrl_is_given() -> None:
     wide = FIGURE_1.replace("TOSNET(", "GATEWAY(ADDRESS_BITS=12); TOSNET(").replace("BASE=0", f"BASE={BASE}")
     scara = unity_link.load(compile_text(wide))
     gateway, memory = network()
@@ -124,7 +124,7 @@ async def test_nodes_have_registers_of_four_words_in_each_direction() -> None:
 
 
 @on_simulated_time
-async def test_the_state_of_the_network_is_behind_comm_and_commits_behind_ctrl() -> None:
+async def test_comm_has_the_state_of_the_network_and_ctrl_its_commits() -> None:
     gateway, memory = network()
     memory.resets, memory.errors = 2, 9
     async with unity_link.connect(gateway) as link:
@@ -141,7 +141,7 @@ async def test_the_state_of_the_network_is_behind_comm_and_commits_behind_ctrl()
 
 
 @on_simulated_time
-async def test_a_network_that_does_not_run_is_an_error_and_no_endless_wait() -> None:
+async def test_a_stopped_network_causes_an_error_and_no_endless_wait() -> None:
     gateway = VirtualGateway(GatewayInfo(address_bits=12))
     async with unity_link.connect(gateway) as link:
         tosnet = TosnetNetwork(link, BASE, ctrl=CTRL)
@@ -153,7 +153,7 @@ async def test_a_network_that_does_not_run_is_an_error_and_no_endless_wait() -> 
 
 
 @on_simulated_time
-async def test_fields_change_what_was_written_last_and_not_what_the_other_buffer_reads_back() -> None:
+async def test_fields_change_the_last_written_word_not_that_of_the_other_buffer() -> None:
     gateway, memory = network()
     async with unity_link.connect(gateway) as link:
         node = TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1)
@@ -165,7 +165,7 @@ async def test_fields_change_what_was_written_last_and_not_what_the_other_buffer
 
 
 @on_simulated_time
-async def test_fields_of_one_word_that_are_written_at_the_same_time_are_all_in_it() -> None:
+async def test_fields_of_one_word_written_at_once_are_all_stored() -> None:
     gateway, memory = network()
     async with unity_link.connect(gateway) as link:
         node = TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1)
@@ -177,7 +177,7 @@ async def test_fields_of_one_word_that_are_written_at_the_same_time_are_all_in_i
 
 
 @on_simulated_time
-async def test_what_one_proxy_of_a_network_writes_another_one_on_the_link_does_not_take_back() -> None:
+async def test_two_proxies_of_a_network_on_a_link_keep_each_others_writes() -> None:
     gateway, memory = network()
     async with unity_link.connect(gateway) as link:
         one, other = (TosnetNetwork(link, BASE, ctrl=CTRL, nodes=15).node(1) for _ in range(2))

@@ -1,4 +1,4 @@
-"""Both sides of datagrams: what they send, what they take, and what they tell the other."""
+"""Both sides of datagrams: the datagrams that they send, accept and refuse."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ SESSION = CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A00001")
 
 
 MOST_CARRIED = 200
-"""More datagrams than a few forged ones can bring about."""
+"""More datagrams than a few forged ones can cause."""
 
 
 class Gateway:
-    """The gateway's side, and what it executes and sends."""
+    """The gateway's side, with the frames that it executes and the datagrams that it sends."""
 
     def __init__(self, codec: Codec = CODEC) -> None:
         self.executed: list[bytes] = []
@@ -41,7 +41,7 @@ class Gateway:
         )
 
     def opened(self) -> Gateway:
-        """Open the session that is offered first as A, and forget what was sent."""
+        """Open the first offered session as A, and clear the list of sent datagrams."""
         self.side.take(b"Q\r", "A")
         self.side.put(ANSWER)
         self.side.take(SESSION, "A")
@@ -69,7 +69,7 @@ def test_a_count_is_newer_by_less_than_half_of_all(start: int, ahead: int) -> No
     assert counts.taken == (count if 0 < ahead < 1 << 31 and count else start)
 
 
-def test_counts_go_round_without_zero() -> None:
+def test_counts_wrap_around_without_zero() -> None:
     counts = Counts()
     assert [counts.next(), counts.next()] == [1, 2]
     counts.sent = 0xFFFFFFFE
@@ -79,10 +79,10 @@ def test_counts_go_round_without_zero() -> None:
     assert not counts.takes(0xFFFFFFFF)
 
 
-# The conversation of docs/protocol.md, "Datagrams"
+# The exchange of docs/protocol.md, "Datagrams"
 
 
-def test_a_host_opens_the_session_that_it_was_offered_and_counts_its_datagrams() -> None:
+def test_a_host_opens_the_offered_session_and_counts_its_datagrams() -> None:
     host = HostDatagrams()
     assert host.put(b"\nQ\r") == [b"\nQ\r"]
     assert host.take(b"U4F1C0A3200000000\r\n" + ANSWER) == ANSWER
@@ -126,14 +126,14 @@ def test_a_gateway_offers_a_session_and_executes_each_datagram_of_it_once() -> N
         pytest.param(CHECKED(b"U0000000000000001") + CHECKED(b"K000"), "A", id="no session"),
     ],
 )
-def test_another_session_is_refused_by_its_name_and_nothing_executed(datagram: bytes, source: str) -> None:
+def test_a_datagram_of_another_session_is_refused_and_not_executed(datagram: bytes, source: str) -> None:
     gateway = Gateway() if b"W0A" in datagram else Gateway().opened()
     gateway.side.take(datagram, source)
     assert not gateway.executed
     assert gateway.sent == [(CHECKED(datagram[:9] + b"00000000") + CHECKED(b"X0A"), source)]
 
 
-def test_what_stands_outside_of_the_count_is_dropped_as_no_host_sends_it() -> None:
+def test_a_request_under_a_header_with_count_0_is_dropped() -> None:
     gateway = Gateway()
     gateway.side.take(b"Q\r", "A")
     gateway.side.put(ANSWER)
@@ -147,7 +147,7 @@ def test_what_stands_outside_of_the_count_is_dropped_as_no_host_sends_it() -> No
     assert gateway.side.session == NO_SESSION
 
 
-def test_a_refusal_has_the_form_of_what_is_refused() -> None:
+def test_the_refusal_of_a_plain_datagram_is_plain() -> None:
     gateway = Gateway()
     gateway.side.take(b"U0000000100000001\rr0000A\r", "A")
     assert gateway.sent == [(b"U0000000100000000\r\nX0A\r\n", "A")]
@@ -173,7 +173,7 @@ def test_a_header_may_be_in_lower_case_and_plain() -> None:
     assert gateway.executed == [b"H\r\n"] * 2
 
 
-def test_the_end_of_a_datagram_ends_its_last_frame_and_the_first_gives_the_form_of_the_header() -> None:
+def test_the_header_has_the_form_of_the_first_frame_of_the_datagram() -> None:
     gateway = VirtualGateway()
     framing, sent = Codec(gateway.info).framing, list[bytes]()
     side: GatewayDatagrams[int] = GatewayDatagrams(
@@ -188,14 +188,14 @@ def test_the_end_of_a_datagram_ends_its_last_frame_and_the_first_gives_the_form_
     ]
 
 
-def test_empty_lines_before_a_header_are_nothing() -> None:
+def test_empty_lines_before_a_header_are_ignored() -> None:
     gateway = Gateway().opened()
     covered = b"U4F1C0A320000000B"
     gateway.side.take(b"\r\n\n" + CHECKED(covered) + b"H\r", "A")
     assert gateway.executed == [b"H\r\n"]
 
 
-def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
+def test_requests_without_a_header_are_executed_if_they_need_no_session() -> None:
     gateway = Gateway()
     gateway.side.take(b"\nH\rK0000001\rR0A\rw0000A1\rK\r" + CHECKED(b"r0000A") + b"zzz\n", "A")
     assert gateway.executed == [b"H\r", b"R0A\rw0000A1\rK\r", b"zzz\n"]
@@ -206,14 +206,14 @@ def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
 
 
 @pytest.mark.parametrize("end", [b"\n\r", b"\n\n\r", b"\n"])
-def test_no_session_is_begun_without_a_header_whatever_ends_the_frame(end: bytes) -> None:
+def test_a_datagram_without_a_header_opens_no_session(end: bytes) -> None:
     gateway = Gateway()
     gateway.side.take(b"\r" + CODEC.framing.checked(b"K0000001")[:-1] + end, "A")
     assert not gateway.executed
     assert gateway.sent == [(CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), "A")]
 
 
-def test_an_offer_stands_until_it_is_taken_and_another_is_made_then() -> None:
+def test_an_offer_is_repeated_until_a_host_takes_it() -> None:
     gateway = Gateway()
     for asker in "AB":
         gateway.side.take(b"Q\r", asker)
@@ -225,7 +225,7 @@ def test_an_offer_stands_until_it_is_taken_and_another_is_made_then() -> None:
     assert offers == [(b"4F1C0A32", "A"), (b"4F1C0A32", "B"), (b"4F1C0A33", "B")]
 
 
-def test_answers_to_questions_go_to_who_asks_and_all_else_to_who_opened_the_session() -> None:
+def test_answers_to_queries_go_to_the_asker_and_the_rest_to_the_opener() -> None:
     gateway = Gateway().opened()
     gateway.side.take(CHECKED(b"Q"), "B")
     gateway.side.put(b"P0000\nr000\nQ02\nK00000010000\r\nK0001\r\nX01\n")
@@ -240,7 +240,7 @@ def test_answers_to_questions_go_to_who_asks_and_all_else_to_who_opened_the_sess
     assert gateway.sent[-1] == (CHECKED(b"U4F1C0A3200000004") + ANSWER, "A")
 
 
-def test_who_opens_a_session_takes_the_gateway_and_who_had_it_is_told() -> None:
+def test_a_host_that_loses_its_session_to_another_receives_a_refusal() -> None:
     gateway = Gateway().opened()
     gateway.side.take(b"Q\r", "B")
     gateway.side.put(ANSWER)
@@ -259,7 +259,7 @@ WITH_FIELDS += [b"K0000", b"KF9AF0\n", b"KF\x00", b"K9"]
 
 
 @pytest.mark.parametrize("frames", BARE)
-def test_a_bare_k_opens_no_session_and_is_answered_as_a_question(frames: bytes) -> None:
+def test_a_bare_k_opens_no_session_and_is_answered_as_a_query(frames: bytes) -> None:
     gateway = Gateway().opened()
     gateway.side.take(b"Q\r", "B")
     gateway.side.put(ANSWER)
@@ -276,7 +276,7 @@ def test_a_bare_k_opens_no_session_and_is_answered_as_a_question(frames: bytes) 
 
 
 @pytest.mark.parametrize("frames", WITH_FIELDS)
-def test_a_k_with_fields_takes_the_offer_whether_they_are_right_or_not(frames: bytes) -> None:
+def test_a_k_with_fields_takes_the_offer_even_if_they_are_invalid(frames: bytes) -> None:
     gateway = Gateway().opened()
     gateway.side.take(b"Q\r", "B")
     gateway.side.put(ANSWER)
@@ -284,8 +284,8 @@ def test_a_k_with_fields_takes_the_offer_whether_they_are_right_or_not(frames: b
     assert (gateway.side.session, gateway.side.opener, gateway.side.offer) == (OFFER + 1, "B", NO_SESSION)
 
 
-def test_a_session_goes_on_if_another_host_sends_a_bare_k_under_the_offer() -> None:
-    """The gateway samples a group for A, and B sends what A may send."""
+def test_a_session_continues_if_another_host_sends_a_bare_k() -> None:
+    """The gateway samples a group for A while B sends frames that only A may send."""
     model, sent = VirtualGateway(), list[tuple[bytes, str]]()
     now = 0.0
     side: GatewayDatagrams[str] = GatewayDatagrams(
@@ -318,7 +318,7 @@ def test_a_session_goes_on_if_another_host_sends_a_bare_k_under_the_offer() -> N
     assert (told, begun[0]) == ((CHECKED(b"X0A"), "A"), CHECKED(b"K00022221111"))
 
 
-def test_a_datagram_without_a_response_brings_none_back() -> None:
+def test_no_datagram_is_sent_for_requests_without_a_response() -> None:
     model, sent = VirtualGateway(), list[tuple[bytes, str]]()
     side: GatewayDatagrams[str] = GatewayDatagrams(
         Codec(model.info), lambda frames: side.put(model.receive(frames, 0.0)), lambda *answer: sent.append(answer)
@@ -327,7 +327,7 @@ def test_a_datagram_without_a_response_brings_none_back() -> None:
     assert (sent, model.memory[4]) == ([], 1)
 
 
-def test_what_is_for_nobody_is_lost() -> None:
+def test_frames_without_a_receiver_are_dropped() -> None:
     gateway = Gateway()
     gateway.side.put(b"P0000\n")
     gateway.side.take(b"\n", "A")
@@ -350,7 +350,7 @@ def test_frames_and_their_header_fit_into_the_largest_datagram() -> None:
             assert all(LARGEST_DATAGRAM - frame < size <= LARGEST_DATAGRAM for size in sizes[:-1])
 
 
-# Two gateways that somebody makes hear each other
+# Two gateways that are made to hear each other
 
 FRAMES = st.sampled_from([b"K000\r", b"R0A\r", b"r0000A\r", b"X0A\r", b"Q\r"])
 FORGED = st.one_of(
@@ -366,7 +366,7 @@ FORGED = st.one_of(
 
 
 @given(forged=st.lists(st.tuples(st.integers(0, 1), FORGED), max_size=6))
-def test_gateways_that_hear_each_other_fall_silent(forged: list[tuple[int, bytes]]) -> None:
+def test_gateways_connected_to_each_other_fall_silent(forged: list[tuple[int, bytes]]) -> None:
     under_way = deque(forged)
     sides = [_gateway_that_answers(1 - number, under_way, OFFER + number) for number in range(2)]
     carried = 0
@@ -374,7 +374,7 @@ def test_gateways_that_hear_each_other_fall_silent(forged: list[tuple[int, bytes
         receiver, datagram = under_way.popleft()
         sides[receiver].take(datagram, 1 - receiver)
         carried += 1
-        assert carried < MOST_CARRIED, "they answer each other for ever"
+        assert carried < MOST_CARRIED, "the gateways answer each other without end"
 
 
 def _gateway_that_answers(other: int, under_way: deque[tuple[int, bytes]], offer: int) -> GatewayDatagrams[int]:
@@ -436,7 +436,7 @@ def test_a_session_cannot_be_opened_for_all_nodes_without_a_header() -> None:
         "nothing",
     ],
 )
-def test_a_host_takes_nothing_else_than_newer_datagrams_of_its_session(datagram: bytes) -> None:
+def test_a_host_accepts_only_newer_datagrams_of_its_session(datagram: bytes) -> None:
     host = opened_host()
     assert host.take(CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A0")) == CHECKED(b"K5A0")
     assert host.take(datagram) == b""
@@ -447,17 +447,17 @@ def test_a_host_takes_nothing_else_than_newer_datagrams_of_its_session(datagram:
     ("sent", "taken"),
     [(b"\xb5\x01\xca", b"\xb5\x01\xca"), (b"\xb5\x01\xca\n", b"\xb5\x01\xca"), (b"r00", b"r00\n")],
 )
-def test_a_line_end_stands_behind_text_and_none_behind_a_compact_frame(sent: bytes, taken: bytes) -> None:
+def test_a_host_adds_a_line_end_to_text_but_not_to_compact_frames(sent: bytes, taken: bytes) -> None:
     assert opened_host().take(CHECKED(b"U4F1C0A3200000001") + sent) == taken
 
 
 @pytest.mark.parametrize("refusal", [CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), b"U4F1C0A3200000000\r\nX0A\r\n"])
-def test_a_host_is_told_that_its_session_is_over(refusal: bytes) -> None:
+def test_a_refusal_ends_the_session_of_a_host_with_an_error(refusal: bytes) -> None:
     with pytest.raises(ConnectError, match="the gateway was reset, or another program has opened a session with it"):
         opened_host().take(refusal)
 
 
-def test_a_host_opens_the_session_that_it_was_offered_last() -> None:
+def test_a_host_opens_the_session_of_the_last_offer() -> None:
     host = HostDatagrams()
     assert host.put(CHECKED(b"K000")) == []
     for offer in (b"00000001", b"00000002", b"00000000"):
@@ -469,7 +469,7 @@ def test_a_host_opens_the_session_that_it_was_offered_last() -> None:
 
 
 @pytest.mark.parametrize("question", [CHECKED(b"K"), b"K\r", b"\n" + CHECKED(b"K")])
-def test_a_host_asks_whose_the_gateway_is_without_opening_a_session(question: bytes) -> None:
+def test_a_session_query_of_a_host_opens_no_session(question: bytes) -> None:
     host = HostDatagrams()
     host.take(b"U4F1C0A3200000000\r\n" + ANSWER)
     assert host.put(question) == [question]
@@ -488,12 +488,12 @@ def test_a_host_takes_the_crc_of_headers_from_the_configuration() -> None:
     ]
 
 
-def test_a_host_hears_the_answer_of_a_gateway_that_has_no_headers() -> None:
+def test_a_host_accepts_the_answer_of_a_gateway_without_headers() -> None:
     assert HostDatagrams().take(b"Q0120\r\n") == b"Q0120\r\n"
 
 
 @given(data=st.binary(max_size=60))
-def test_no_datagram_upsets_either_side(data: bytes) -> None:
+def test_arbitrary_datagrams_raise_no_error_on_either_side(data: bytes) -> None:
     for datagram in (data, b"U" + data, b"U4F1C0A3200000002\r" + data):
         assert isinstance(HostDatagrams().take(datagram), bytes)
         assert isinstance(opened_host().take(datagram), bytes)

@@ -1,4 +1,4 @@
-"""The length of the datagrams of a session: the trial at its opening, and an end because long frames are lost."""
+"""The length of the datagrams of a session: the trial at its opening, and its end if long frames are lost."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ LATER = 0.001
 
 
 class Opening:
-    """A session that is being opened with a gateway.
+    """A session during its handshake with a gateway.
 
     Args:
         path: the network.
-        info: of the gateway.
+        info: configuration of the gateway.
     """
 
     def __init__(self, path: Path, info: GatewayInfo | None = None) -> None:
@@ -32,15 +32,15 @@ class Opening:
         while not (asked := self.session.take_output()).startswith(b"K"):
             self.answer(asked)
         self.asked = asked
-        """Bytes of the last request for a session."""
+        """Bytes of the last request that opens a session."""
 
     def answer(self, asked: bytes) -> None:
-        """Answer a question."""
+        """Deliver a request to the gateway, and its answer to the session."""
         self.now += LATER
         self.session.receive(self._gateway.receive(asked, self.now), self.now)
 
     def lose(self) -> None:
-        """Let the time pass until the next request for a session."""
+        """Let the time pass until the session sends its request again."""
         assert self.session.deadline is not None
         self.now = self.session.deadline
         self.session.expire(self.now)
@@ -51,7 +51,7 @@ def datagram_with(frames: bytes) -> int:
     return HEADER_SIZE + len(b"0000") + len(LF) + len(frames)
 
 
-def test_each_length_is_tried_twice_and_the_shortest_for_ever() -> None:
+def test_each_length_is_tried_twice_and_the_shortest_without_end() -> None:
     opening = Opening(Path())
     tried = []
     for _ in range(10):
@@ -91,7 +91,7 @@ def test_no_opening_is_longer_than_the_receive_fifo_of_a_gateway() -> None:
     assert len(Opening(Path(), info).asked) == 200
 
 
-def test_an_mtu_that_the_system_learns_bounds_blocks_and_answers_at_once() -> None:
+def test_an_mtu_reported_by_the_system_limits_blocks_and_answers_at_once() -> None:
     path = Path()
     opening = Opening(path)
     opening.answer(opening.asked)
@@ -104,7 +104,7 @@ def test_an_mtu_that_the_system_learns_bounds_blocks_and_answers_at_once() -> No
     assert window.most_room(20, 100) == 4
 
 
-def test_the_end_of_a_session_in_silence_names_the_option_for_short_packets() -> None:
+def test_the_error_after_silence_names_the_option_for_short_packets() -> None:
     path = Path()
     opening = Opening(path)
     opening.answer(opening.asked)
@@ -116,7 +116,7 @@ def test_the_end_of_a_session_in_silence_names_the_option_for_short_packets() ->
     (end,) = events
     assert isinstance(end, Unusable)
     assert "if the network loses long packets, mtu=576 in the URL keeps them short" in str(end.error)
-    # The opening has shown that the path to the gateway is long, so perhaps the path back is short.
+    # The opening proved that long datagrams reach the gateway, so the path back may be the one that loses them.
     session.disconnect("the end")
     session.connect(10.0, 0.003, path=(following := Path()))
     assert following.largest == path.largest == LENGTHS[1]

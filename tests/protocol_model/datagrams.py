@@ -1,11 +1,12 @@
-"""Requests with IDs over datagrams: what was sent once may arrive at any later time, in any order, any number of times.
+"""A model of requests with IDs over datagrams, which arrive late, in any order and any number of times.
 
-So nothing ever leaves the network: a datagram that is lost is one that never arrives, and every late or doubled one is
-found by taking it again. What is bounded instead is how much is sent and how often a session is begun. The host is that
-of `stream`, with answered writes alone, and it sends again any request in flight, which takes in every way to go back.
+No datagram ever leaves the network: a lost datagram is one that is never taken, and a late or duplicated datagram is
+taken again. The number of datagrams and the number of opened sessions are limited instead. The host is that of
+`stream` with answered writes only; it may retransmit any request in flight, which covers every way to go back.
 
-K opens a session in its datagram. Four ways to say which are explored; three of them are wrong. A host that begins anew
-does so from another port, so what an earlier attempt left on its way stands for another host's, too.
+A K opens a session in its datagram. The model explores four rules for the number of that session; three of them are
+wrong. A host that begins again does so from another port, so datagrams of its earlier attempt also represent those of
+another host.
 """
 
 from collections.abc import Iterator
@@ -20,39 +21,39 @@ NO_SESSION = 0
 
 
 class Naming(Enum):
-    """Naming of a session."""
+    """How sessions are numbered."""
 
     NOT_AT_ALL = auto()
-    """Datagrams hold frames alone: protocol 01, in a session that was begun."""
+    """Datagrams have no header: protocol 01, in a session that is already open."""
     BY_HOST = auto()
-    """The host draws a number that was never used, and K opens whatever session its datagram names."""
+    """The host draws a number that was never used; K opens the session that its datagram names."""
     COUNTED = auto()
     """K opens the session that the gateway offered last; it offers the number after that of its last session."""
     DRAWN = auto()
-    """The same, but the gateway offers a number that it never offered, before a reset neither: protocol 02."""
+    """As COUNTED, but the gateway offers a number that it has never offered, not even before a reset: protocol 02."""
 
 
 class Rules(NamedTuple):
-    """Rules for the names of sessions, and bounds of the exploration."""
+    """Rules for the numbers of sessions, and limits of the exploration."""
 
     naming: Naming = Naming.DRAWN
     requests: int = 5
     datagrams: int = 4
-    """Most datagrams that the host sends in a session."""
+    """Largest number of datagrams that the host sends in a session."""
     sessions: int = 2
-    """Numbers of sessions that there may be."""
+    """Number of session numbers."""
     resets: int = 1
     counts: int = 1 << 32
-    """The counts go round after so many, 0 left out."""
+    """Counts wrap around modulo this number, without 0."""
     first_count: int = 1
     beginnings: int = 3
-    """Most beginnings of the host."""
+    """Largest number of times that the host begins."""
     new_ports: bool = True
-    """It does so from another port each time; a session belongs to the port that opened it."""
+    """If true, the host begins from another port each time; a session belongs to the port that opened it."""
 
 
 class Datagram(NamedTuple):
-    """A frame under a header; from the gateway, `serial` 0 stands outside the count: an offer, or a refusal."""
+    """A frame after a header; a gateway's datagram with `serial` 0 has no count: it is an offer or a refusal."""
 
     session: int
     serial: int
@@ -60,27 +61,27 @@ class Datagram(NamedTuple):
     ident: int = 0
     number: int = -1
     port: int = 0
-    """The host's: from where, or where to."""
+    """The host's port: the source of its own datagrams, the destination of the gateway's."""
 
 
 class Host(NamedTuple):
-    """The host; `sent` datagrams in this session, and `heard` is the last count that it took, 0 for none."""
+    """The host: `sent` datagrams sent in this session; `heard` is the last count that it accepted, 0 for none."""
 
     session: int = NO_SESSION
     ready: bool = False
     sent: int = 0
     heard: int = 0
     offset: int = 0
-    """ID less number, in this session."""
+    """ID minus number, in this session."""
     first: int = 0
     next: int = 0
-    """Requests `first` to before `next` are in flight."""
+    """Requests `first` to `next` - 1 are in flight."""
     port: int = 0
     beginnings: int = 1
 
 
 class Gateway(NamedTuple):
-    """The gateway, with its own `sent` and `heard`; `executed` has a bit for each request, for the checks alone."""
+    """The gateway, with its own `sent` and `heard`; `executed` has a bit for each request, for checks only."""
 
     session: int = NO_SESSION
     offer: int = NO_SESSION
@@ -95,7 +96,7 @@ Network: TypeAlias = frozenset[Datagram]
 
 
 class State(NamedTuple):
-    """Everything; `named` is how many numbers of sessions there were."""
+    """State of host, gateway and network; `named` is the number of session numbers used so far."""
 
     host: Host
     gateway: Gateway
@@ -106,21 +107,21 @@ class State(NamedTuple):
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
-    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    """Explore the rules; if `sought` is given, pass over all other faults."""
     start = State(Host(), Gateway())
     if rules.naming is Naming.NOT_AT_ALL:
         start = State(Host(session=1, ready=True), Gateway(session=1))
-    # What is bounded may run out before the end is reached, so not every state has a way to it.
+    # A limit may be reached before the end, so not every state has a way to an end.
     return explore(
         start,
         lambda state: _moves(rules, state),
-        lambda state: _all_told(rules, state),
+        lambda state: _all_reported(rules, state),
         always_ends=False,
         sought=sought,
     )
 
 
-def _all_told(rules: Rules, state: State) -> bool:
+def _all_reported(rules: Rules, state: State) -> bool:
     return state.host.first == rules.requests
 
 
@@ -151,14 +152,14 @@ def _show(datagram: Datagram) -> str:
 
 
 def _count(rules: Rules, sent: int) -> int:
-    """Return the count of the datagram that follows `sent` others; 0 in 01, which has none."""
+    """Return the count of the next datagram after `sent` others; 0 in protocol 01, which has no counts."""
     if rules.naming is Naming.NOT_AT_ALL:
         return 0
     return (rules.first_count - 1 + sent) % (rules.counts - 1) + 1
 
 
 def _is_newer(rules: Rules, count: int, heard: int) -> bool:
-    """Return whether a count is ahead of the last one, by less than half of the way round."""
+    """Return true if a count is ahead of the last one by less than half of the counts."""
     if rules.naming is Naming.NOT_AT_ALL or heard == 0:
         return True
     return 0 < (count - heard) % rules.counts < rules.counts // 2
@@ -182,7 +183,7 @@ def _take(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
 
 
 def _offer(rules: Rules, state: State, port: int) -> State:
-    """Return the state after a question, which stands outside of all sessions; an offer stands until it is taken."""
+    """Return the state after a query, which belongs to no session; an offer stays valid until a host takes it."""
     gateway = state.gateway
     if gateway.offer != NO_SESSION:
         return _answered(state, gateway, Datagram(gateway.offer, 0, "offer", port=port))
@@ -251,12 +252,12 @@ def _id(host: Host, number: int) -> int:
 
 
 def _begin(host: Host, session: int) -> Host:
-    """Return the host in a session that begins at ID 0."""
+    """Return the host in a session in which its next request has ID 0."""
     return host._replace(session=session, offset=-host.next % RING)
 
 
 def _begin_anew(rules: Rules, host: Host) -> Host:
-    """Return the host without a session: what was in flight is told as unknown."""
+    """Return the host without a session; the outcomes of the requests in flight are unknown."""
     port = host.port + rules.new_ports
     return Host(first=host.next, next=host.next, port=port, beginnings=host.beginnings + 1)
 
@@ -277,7 +278,7 @@ def _hear(rules: Rules, state: State, datagram: Datagram) -> State | Fault:
 
 
 def _told(host: Host, datagram: Datagram, executed: int) -> Host | Fault:
-    """Return the host after a frame of its session; an answer says that all before were executed."""
+    """Return the host after a frame of its session; an answer proves that all earlier requests were executed."""
     if not host.ready:
         return host._replace(ready=datagram.kind == "k")
     place = (datagram.ident - _id(host, host.first)) % RING
@@ -290,5 +291,5 @@ def _told(host: Host, datagram: Datagram, executed: int) -> Host | Fault:
         place += 1
     for number in range(host.first, host.first + place):
         if not executed >> number & 1:
-            return Fault(f"request {number} is told as executed, and was not")
+            return Fault(f"request {number} is reported as executed, but was not")
     return host._replace(first=host.first + place)

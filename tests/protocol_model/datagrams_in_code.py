@@ -1,7 +1,7 @@
-"""The exploration of `datagrams`, with the classes of `unity_link.protocol.wire.datagrams` in the place of its headers.
+"""The exploration of `datagrams` with `HostDatagrams` and `GatewayDatagrams` in place of the model's headers.
 
-What host and gateway do with frames is the model's, what becomes of datagrams is the code's: each state holds the
-fields of both sides, and each step sets them, has the code put or take one datagram, and reads them again.
+The model decides how host and gateway react to frames; the real classes handle the datagrams. Each state stores the
+fields of both sides. Each step restores them, lets the class put or take one datagram, and reads the fields again.
 """
 
 import contextlib
@@ -22,12 +22,12 @@ from unity_link.protocol.wire.messages import Codec
 CODEC = Codec(GatewayInfo())
 QUESTION, OPENING = b"Q\r", b"K000\r"
 ASKED, OPENING_TAKEN = b"Q\r\n", b"K000\r\n"
-"""The same, as the gateway gets them: with an end that no cut can have taken away."""
+"""The same frames as the gateway executes them: with a line end that no cut can remove."""
 OPENED = b"K000\n"
 CONFIGURATION = CODEC.framing.plain_reply(b"Q" + GatewayInfo().to_hex())
 
 Network = frozenset[tuple[bytes, int]]
-"""Datagrams on their way, with the host's port."""
+"""Datagrams in the network, each with the host's port."""
 
 
 class HostSide(NamedTuple):
@@ -51,7 +51,7 @@ class GatewaySide(NamedTuple):
 
 
 class State(NamedTuple):
-    """Everything; `frames` is the model's state, of which the fields of headers and the networks are not used."""
+    """State of both sides and the network; `frames` is the model's, whose headers and networks are not used."""
 
     frames: model.State
     host: HostSide = HostSide()
@@ -61,7 +61,7 @@ class State(NamedTuple):
 
 
 def explored(rules: Rules) -> Exploration:
-    """Return what happens under the rules, of which the way in which sessions are named is not looked at."""
+    """Explore the rules; `Rules.naming` is ignored because the classes number the sessions."""
     start = State(model.State(model.Host(), model.Gateway()))
     return explore(
         start,
@@ -73,7 +73,7 @@ def explored(rules: Rules) -> Exploration:
 
 @contextlib.contextmanager
 def nothing_remembered() -> Iterator[None]:
-    """Forget at the beginning and at the end what the code did: it is another's there."""
+    """Clear the caches of the steps before and after a block in which the classes are changed."""
     remembered = _put_by_host, _taken_by_host, _taken_by_gateway, _put_by_gateway
     for step in remembered:
         step.cache_clear()
@@ -161,7 +161,7 @@ def _put_by_host(fields: HostSide, frames: bytes) -> tuple[HostSide, list[bytes]
 
 @lru_cache(None)
 def _taken_by_host(fields: HostSide, datagram: bytes) -> tuple[HostSide, bytes | None]:
-    """Return the frames of a datagram, None where the session is over."""
+    """Return the fields of the host and the frames of a datagram; None if the session has ended."""
     side = _host_side(fields)
     try:
         frames = side.take(datagram)
@@ -184,7 +184,7 @@ def _of_host(side: HostDatagrams) -> HostSide:
 
 
 def _take(rules: Rules, state: State, datagram: bytes, port: int) -> State | Fault | None:
-    """Return the state after a datagram, None where it needs more sessions than are explored."""
+    """Return the state after a datagram, or None if it needs more sessions than are explored."""
     frames = state.frames
     side, requests, sent, drawn = _taken_by_gateway(state.gateway, datagram, port, frames.named + 1)
     frames = frames._replace(named=frames.named + drawn)
@@ -209,7 +209,7 @@ def _take(rules: Rules, state: State, datagram: bytes, port: int) -> State | Fau
 def _taken_by_gateway(
     fields: GatewaySide, datagram: bytes, port: int, next_named: int
 ) -> tuple[GatewaySide, list[bytes], Network, int]:
-    """Return what is to be executed, what is sent, and how many numbers of sessions were drawn."""
+    """Return the gateway's fields, the requests to execute, the datagrams sent and the count of drawn numbers."""
     named = itertools.count(next_named)
     requests: list[bytes] = []
     side, sent = _gateway_side(fields, requests.append, named)

@@ -1,4 +1,4 @@
-"""Explores every state that a small model can reach, breadth first, so that a fault is found by its shortest story."""
+"""Explores every state that a small model can reach, breadth first, so that the trace to a fault is the shortest."""
 
 from collections.abc import Callable, Hashable, Iterator
 from typing import NamedTuple, TypeAlias, TypeVar
@@ -7,7 +7,7 @@ S = TypeVar("S", bound=Hashable)
 
 
 class Fault(NamedTuple):
-    """The end of a story that must not be."""
+    """The end of a trace in a forbidden state."""
 
     what: str
 
@@ -20,30 +20,30 @@ class Exploration(NamedTuple):
 
     states: int
     fault: str | None
-    """The first thing that went wrong, None where nothing can."""
-    story: tuple[str, ...]
-    """The fewest steps that lead to the fault."""
+    """The first fault that was found, or None."""
+    trace: tuple[str, ...]
+    """The steps to the fault, as few as possible."""
     ends: int
-    """Number of states that were an end: all was told."""
+    """Number of final states: every request has an outcome."""
 
     def __str__(self) -> str:
         if self.fault is None:
             return f"{self.states} states, {self.ends} of them ends, nothing wrong"
-        steps = "\n".join(f"  {number:2} {step}" for number, step in enumerate(self.story, 1))
-        return f"{self.fault}, in {len(self.story)} steps, after {self.states} states\n{steps}"
+        steps = "\n".join(f"  {number:2} {step}" for number, step in enumerate(self.trace, 1))
+        return f"{self.fault}, in {len(self.trace)} steps, after {self.states} states\n{steps}"
 
 
 def explore(
     start: S, moves: Moves[S], is_end: Callable[[S], bool], *, always_ends: bool = True, sought: str = ""
 ) -> Exploration:
-    """Return what the states that can be reached from `start` show.
+    """Explore the states that can be reached from `start`.
 
     Args:
         start: the first state.
-        moves: gives every step that is possible in a state, each with the state after it, or with a fault.
-        is_end: whether all that was asked for was told in a state.
-        always_ends: whether it is a fault if a state is reached from which no end can be.
-        sought: words of the fault that is looked for; others are passed over.
+        moves: yields every step that is possible in a state, each with the next state or a fault.
+        is_end: returns true for a final state, in which every request has an outcome.
+        always_ends: if true, a state from which no final state can be reached is a fault.
+        sought: a part of the text of the fault to find; other faults are passed over.
     """
     states = [start]
     known = {start: 0}
@@ -54,7 +54,7 @@ def explore(
             if isinstance(after, Fault):
                 if sought not in after.what:
                     continue
-                return Exploration(len(states), after.what, (*_story(came_from, index), step), 0)
+                return Exploration(len(states), after.what, (*_trace(came_from, index), step), 0)
             found = known.get(after)
             if found is None:
                 known[after] = found = len(states)
@@ -67,12 +67,12 @@ def explore(
     if always_ends:
         stuck = _never_ends(before, ends)
         if stuck is not None:
-            return Exploration(len(states), "there is no way to an end", _story(came_from, stuck), len(ends))
+            return Exploration(len(states), "there is no way to an end", _trace(came_from, stuck), len(ends))
     return Exploration(len(states), None, (), len(ends))
 
 
-def _story(came_from: list[tuple[int, str]], index: int) -> tuple[str, ...]:
-    """Return the steps that first led to a state."""
+def _trace(came_from: list[tuple[int, str]], index: int) -> tuple[str, ...]:
+    """Return the steps that first reached a state."""
     steps = []
     while index:
         index, step = came_from[index]
@@ -81,7 +81,7 @@ def _story(came_from: list[tuple[int, str]], index: int) -> tuple[str, ...]:
 
 
 def _never_ends(before: list[list[int]], ends: list[int]) -> int | None:
-    """Return the first state from which no end can be reached, None if there is none."""
+    """Return the index of the first state from which no final state can be reached, or None."""
     can_end = bytearray(len(before))
     pending = list(ends)
     for index in ends:

@@ -1,7 +1,7 @@
 """A gateway as docs/protocol.md describes it, written from the page alone: text, compact and cut frames.
 
-This module imports no product code, so that the two can be compared. It models plain memory, sessions and repetitions.
-No group can be set up: a `GS` that would do so raises `NotImplementedError`.
+This module imports no product code, so that tests can compare the two. It models plain memory, sessions and
+repetitions. Groups are not supported: a valid `GS` raises `NotImplementedError`.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 START, END, ESCAPE, LF, CR = 0xB5, 0xCA, 0xD3, 0x0A, 0x0D
 NUMBERED = ["r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P"]
-"""Commands that have a compact form, each at its number."""
+"""Commands that have a compact form; the index of each is its number in that form."""
 WITH_ADDRESS = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws")
 LOOKING = ("R", "RM", "H", "Q", "K")
 CRC, UNKNOWN, MALFORMED, RANGE, LONG, NO_SESSION, UNDER_WAY = 1, 2, 3, 6, 7, 0x0A, 0x0B
@@ -26,7 +26,7 @@ class Frame(NamedTuple):
 
 
 class Widths(NamedTuple):
-    """The fields of `Q` that frames depend on."""
+    """The fields of `Q` that determine the form of frames."""
 
     id_digits: int = 3
     crc_bits: int = 16
@@ -68,7 +68,7 @@ class Widths(NamedTuple):
         return max(head + max(fields), group) + self.crc_digits
 
     def crc(self, text: str, seed: int = 0) -> int:
-        """Return the CRC of a text, with a seed xored in before the first character after the prefix."""
+        """Return the CRC of a text; the seed is xored in before the first character after the prefix."""
         top, mask = 1 << self.crc_bits - 1, (1 << self.crc_bits) - 1
         rest = 0
         for place, character in enumerate(text):
@@ -80,7 +80,7 @@ class Widths(NamedTuple):
         return rest
 
     def spare(self, command: str, *, from_gateway: bool) -> bool:
-        """Return whether a spare digit follows the number of a command."""
+        """Return true if a frame of a command has a spare digit after the command's number."""
         digits = 1 + self.crc_digits + (0 if command == "P" else self.id_digits)
         if command in WITH_ADDRESS and not from_gateway:
             digits += self.address_digits
@@ -89,7 +89,7 @@ class Widths(NamedTuple):
         return digits % 2 == 1
 
     def pack(self, text: str, *, from_gateway: bool) -> bytes:
-        """Return a checked frame, given without LF, in compact form if it has one, and as text otherwise."""
+        """Return a checked frame, given without LF, in compact form if its command has one, otherwise as text."""
         body = text[len(self.prefix) :]
         command = next((body[:size] for size in (2, 1) if body[:size] in NUMBERED), "")
         digits = ""
@@ -118,7 +118,7 @@ class Cutter:
         self._escaped = False
 
     def take(self, data: bytes) -> list[Frame]:
-        """Return the frames that end in some bytes, empty ones too."""
+        """Return the frames that the given bytes end, including empty ones."""
         return [frame for byte in data for frame in self._take(byte)]
 
     def _take(self, byte: int) -> list[Frame]:
@@ -168,7 +168,7 @@ class Cutter:
 
 
 class RefusalError(Exception):
-    """An error in the place of an answer."""
+    """An error that the gateway sends instead of an answer."""
 
     def __init__(self, code: int, id_: str = "", rest: str = "") -> None:
         super().__init__(code)
@@ -179,7 +179,7 @@ class GatewayOnThePage:
     """The gateway.
 
     Args:
-        widths: of its frames.
+        widths: widths of its frames.
         configuration: the answer to `Q`, without its letter.
     """
 
@@ -197,11 +197,11 @@ class GatewayOnThePage:
 
     @property
     def seed(self) -> int:
-        """Seed in the CRC of a host's frames of the session."""
+        """Seed of the CRC in the host's frames of the session."""
         return 2 * self.session
 
     def answers(self, data: bytes) -> list[bytes]:
-        """Return the answers to some bytes, each with its end."""
+        """Return the answers to some bytes, each with its line end."""
         return [answer for frame in self._cutter.take(data) for answer in self._answer(frame)]
 
     # Frames
@@ -229,7 +229,7 @@ class GatewayOnThePage:
             return f"{prefix}{body}\r\n".encode()
         seed = 2 * self.session + 1 if self.session and (body[0].islower() or body[0] == "P") else 0
         if body[0] == "x" and len(body) > 3 + self.widths.id_digits:
-            # Without a session.
+            # An error for lack of a session has no seed.
             seed = 0
         check = self.widths.crc(prefix + body, seed)
         text = f"{prefix}{body}{check:0{self.widths.crc_digits}X}"
@@ -238,7 +238,7 @@ class GatewayOnThePage:
         return text.encode() + b"\n"
 
     def _opened(self, prefix: str, text: str, *, plain: bool) -> tuple[str, int]:
-        """Make checks 2 and 3; return the text without its CRC, and the difference of the CRC."""
+        """Apply checks 2 and 3; return the text without its CRC, and the difference of the CRC."""
         widths = self.widths
         if len(text) > widths.longest:
             raise RefusalError(LONG)
@@ -254,7 +254,7 @@ class GatewayOnThePage:
         return body, residue
 
     def _parted(self, body: str, *, plain: bool) -> tuple[str, str, list[int]]:
-        """Make checks 4 and 5; return the command in upper case, the ID (empty without one), and the fields."""
+        """Apply checks 4 and 5; return the command in upper case, the ID (empty without one) and the fields."""
         letters = re.match("[G-Zg-z]*", body)
         command = letters[0] if letters else ""
         has_id = command.islower()
@@ -268,7 +268,7 @@ class GatewayOnThePage:
         return name, id_, self._fields(name, rest[len(id_) :], short=plain and not has_id)
 
     def _read(self, prefix: str, text: str, *, plain: bool, to_all: bool) -> str:
-        """Go through the checks in the order of the page; return the body of the answer."""
+        """Apply the checks in the order of the page; return the body of the answer."""
         body, residue = self._opened(prefix, text, plain=plain)
         name, id_, fields = self._parted(body, plain=plain)
         if to_all:
@@ -285,7 +285,7 @@ class GatewayOnThePage:
         return "" if name == "WS" else self._head(name, fields) + answer
 
     def _head(self, name: str, fields: list[int]) -> str:
-        """Return how the answer to a request without an ID begins."""
+        """Return the beginning of the answer to a request without an ID."""
         said = name + "".join(self._written(name, fields)[: {"R": 1, "RM": 2, "RQ": 2}.get(name, name[0] == "W")])
         if name in ("WM", "WQ"):
             said += f"{len(fields) - 1:02X}"
@@ -374,7 +374,7 @@ class GatewayOnThePage:
         return "" if name == "WS" else said + answer
 
     def _again(self, name: str, said: str, fields: list[int], number: int) -> str:
-        """Return the answer to a repetition of a request that ended well."""
+        """Return the answer to a repetition of a request that succeeded."""
         widths = self.widths
         if name in ("R", "RM"):
             try:
@@ -391,7 +391,7 @@ class GatewayOnThePage:
         places = [(number + place) % 256 for place in range(count)]
         return said + "".join(f"{self._kept.get(place, 0):0{widths.data_digits}X}" for place in places)
 
-    # Execution: addresses and words fill their digits.
+    # Execution: addresses and words use all bits of their digits.
 
     def _execute(self, name: str, fields: list[int]) -> str:
         widths, memory = self.widths, self.memory
@@ -418,7 +418,7 @@ class GatewayOnThePage:
             case "I", [mode]:
                 self._check(mode <= 2)
             case _:
-                # `GN`, `GX` and `GP` of a group that was never set up.
+                # `GN`, `GX` and `GP` fail because the group was never set up.
                 self._check(name[0] != "G")
         return self._configuration if name == "Q" else "".join(f"{word:0{widths.data_digits}X}" for word in words)
 
@@ -430,7 +430,7 @@ class GatewayOnThePage:
         raise RefusalError(RANGE)
 
     def _check(self, is_within: bool) -> None:
-        """Make check 7."""
+        """Apply check 7."""
         if not is_within:
             raise RefusalError(RANGE)
 
@@ -453,4 +453,4 @@ FORMS = {
     "Q": "",
     "K": "",
 }
-"""Fields of each command after its ID: an address, a word, or two digits; those of some depend on more."""
+"""Fields of each command after its ID: an address, a word, or two digits; some commands have variable fields."""

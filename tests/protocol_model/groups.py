@@ -1,11 +1,11 @@
-"""A group that is handed from one holder to the next, while samples wait in the gateway's buffer.
+"""A model of a group that one holder after another uses, while samples wait in the gateway's buffer.
 
-Holders take the same group one after the other; each sets it up for addresses of its own, starts it and stops it. One
-that sets it up again after a reset counts as the next. The line keeps the order of what is on it, and may lose any
-frame. In the gateway a sample waits in a buffer of its own beside the responses, and what leaves first is open, but for
-the rule that is explored: the response to a group command, or to K, is behind every sample that was taken before.
+Each holder sets up the group for its own addresses, starts it and stops it. A holder that sets the group up again after
+a reset counts as the next holder. The line keeps the order of frames and may lose any of them. The gateway buffers
+samples apart from responses and may send either first, except for the rule that is explored: the response to a group
+command, or to K, follows every sample that was taken before it.
 
-Requests are sent one at a time, and again until they are answered; `stream` shows that each is executed once.
+The host sends one request at a time and retransmits it until it is answered; `stream` proves that it is executed once.
 """
 
 from collections.abc import Iterator
@@ -17,22 +17,22 @@ NOBODY = -1
 
 
 class Rules(NamedTuple):
-    """Rules of a version of the protocol, and bounds of the exploration."""
+    """Rules of a version of the protocol, and limits of the exploration."""
 
     in_order: bool = True
-    """The rule that 02 adds to 01."""
+    """The rule of the docstring above, which protocol 02 has and 01 has not."""
     stops: bool = True
-    """A holder stops its group before it gives it back; otherwise the next one's settings stop it."""
+    """A holder stops its group before it releases it; otherwise the next holder's settings stop it."""
     holders: int = 3
     buffered: int = 2
-    """Most samples in the gateway's buffer."""
+    """Largest number of samples in the gateway's buffer."""
     in_line: int = 2
-    """Most frames on their way to the host."""
+    """Largest number of frames on the line to the host."""
     resets: int = 1
 
 
 class Request(NamedTuple):
-    """A group command, or K, on behalf of a holder."""
+    """A group command, or K, of a holder."""
 
     command: str
     holder: int
@@ -43,20 +43,20 @@ class Gateway(NamedTuple):
 
     in_session: bool = False
     last: Request | None = None
-    """The request that was executed last: the same again is a repetition."""
+    """The last executed request; a request equal to it is a repetition."""
     holder: int = NOBODY
-    """Host whose addresses the group has."""
+    """Holder whose addresses the group has."""
     running: bool = False
     buffer: tuple[int, ...] = ()
-    """The samples that wait, by the holder whose addresses they were read from."""
+    """The buffered samples, each as the holder whose addresses it was read from."""
     response: Request | None = None
-    """Request that waits for its answer: requests are executed one after the other."""
+    """Request whose response is pending: the gateway executes one request at a time."""
     ahead: int = 0
-    """Number of waiting samples that are sent before the response."""
+    """Number of buffered samples that are sent before the response."""
 
 
 class Host(NamedTuple):
-    """The host: the holder whose turn it is, the command that is under way for it, and who gets samples."""
+    """The host: the current holder, its command in flight, and the holder that receives samples."""
 
     holder: int = 0
     command: str = "K"
@@ -64,7 +64,7 @@ class Host(NamedTuple):
 
 
 class State(NamedTuple):
-    """Everything; the line out holds one request at most."""
+    """State of host, gateway and line; the line to the gateway holds at most one request."""
 
     host: Host
     gateway: Gateway
@@ -75,7 +75,7 @@ class State(NamedTuple):
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
-    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    """Explore the rules; if `sought` is given, pass over all other faults."""
     return explore(
         State(Host(), Gateway()),
         lambda state: _moves(rules, state),
@@ -118,7 +118,7 @@ def _show(frame: Request | int) -> str:
 
 
 def _executed(gateway: Gateway, request: Request) -> Gateway:
-    """Return the gateway after a request, which then waits for its response."""
+    """Return the gateway after it executed a request; its response is then pending."""
     command, holder = request
     if command == "K":
         return gateway._replace(in_session=True, last=None, running=False, response=request, ahead=len(gateway.buffer))

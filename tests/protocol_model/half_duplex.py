@@ -1,8 +1,8 @@
-"""A medium on which only one may send at a time: what the host and the addressed node send, and when.
+"""A model of a half-duplex line: the frames that the host and the addressed node send, and when.
 
-Sending takes time here: it has a beginning and an end, and if the other begins between them, both are damaged. Requests
-stand for all of their kind: `r` has one answer, `g` publishes a sample beside its response, `p` is posted and ends in
-an error, which is answered, and `b` is for all nodes, of which none answers.
+A transmission has a beginning and an end; if the other side begins between them, both frames are damaged. The letters
+represent kinds of requests: `r` has one answer, `g` publishes a sample and has a response, `p` is posted and fails,
+which causes an error frame, and `b` is addressed to all nodes, so no node answers.
 """
 
 from collections.abc import Iterator
@@ -11,20 +11,20 @@ from typing import NamedTuple
 from protocol_model.exploration import Exploration, Fault, explore
 
 OWED = "rg"
-"""The requests that have a response: a posted one is answered only where it fails."""
+"""The requests that have a response; a posted request is answered only if it fails."""
 
 
 class Rules(NamedTuple):
-    """Rules that keep both from sending at once; each is needed."""
+    """Rules that keep both sides from sending at once; each rule is necessary."""
 
     waits: bool = True
-    """The host sends nothing while an answer is owed."""
+    """The host does not send while an answer is pending."""
     kinds: str = "rgb"
-    """Messages of the host: nothing posted to one node."""
+    """Requests of the host; by default none is posted to a single node."""
     response_last: bool = True
-    """True if the node sends its response behind all else that a request causes."""
+    """If true, the node sends the response after all other frames that a request causes."""
     patient: bool = True
-    """An answer is given up only when it cannot come any more."""
+    """The host gives up an answer only when it can no longer arrive."""
     requests: int = 3
 
 
@@ -34,15 +34,15 @@ class State(NamedTuple):
     begun: int = 0
     owed: bool = False
     host_sends: str = ""
-    """The request that is on its way."""
+    """The request that the host is sending."""
     node_sends: str = ""
-    """The frame that is on its way: `P` a sample, `x` an error, `a` a response."""
+    """The frame that the node is sending: `P` a sample, `x` an error, `a` a response."""
     pending: str = ""
-    """Messages that the node is going to send."""
+    """Frames that the node will send."""
 
 
 def explored(rules: Rules) -> Exploration:
-    """Return what happens under the rules."""
+    """Explore the rules."""
     return explore(State(), lambda state: _moves(rules, state), lambda state: state.begun == rules.requests)
 
 
@@ -70,7 +70,7 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
 
 
 def _answers(rules: Rules, kind: str) -> tuple[str, ...]:
-    """Return the ways in which a node may answer."""
+    """Return the possible sequences of frames that a node answers with."""
     if kind == "g":
         return ("Pa",) if rules.response_last else ("Pa", "aP")
     return ({"r": "a", "p": "x", "b": ""}[kind],)

@@ -1,4 +1,4 @@
-"""Frames of a host in both forms, whole and damaged, for a gateway on the page and those that are to agree with it."""
+"""Frames of a host in text and compact form, whole and damaged, for comparison with the gateway on the page."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ HOSTS = [
     Widths(crc_bits=32, polynomial=0x04C11DB7, address_digits=8, node=5),
     Widths(id_digits=2, node=0xB5),
 ]
-"""Widths of the frames that hosts are sent."""
+"""Widths of the frames that tests send to a host."""
 FRAMES = 100
-"""Frames that `from_a_gateway` returns."""
+"""Number of frames that `from_a_gateway` returns."""
 
 
 class Mixture:
-    """A host that knows the protocol, on a line that does not carry all that it sends.
+    """A host that follows the protocol, on a line that damages frames.
 
     Args:
-        gateway: takes each piece, and says which ID is next.
-        rng: draws.
-        damage: part of the pieces that are damaged.
-        most_words: of a block.
+        gateway: receives each piece; its state gives the next ID.
+        rng: random source.
+        damage: fraction of damaged pieces, from 0 to 1.
+        most_words: largest number of words in a block.
     """
 
     def __init__(
@@ -40,7 +40,7 @@ class Mixture:
         self._gateway, self._rng, self._damage, self._most_words = gateway, rng, damage, most_words
 
     def pieces(self, count: int) -> Iterator[tuple[bytes, bytes]]:
-        """Return frames as they arrive, each with the answers of the gateway on the page."""
+        """Yield frames as they arrive, each with the answers of the gateway on the page."""
         for _ in range(count):
             piece = self._frame()
             if self._rng.random() < self._damage:
@@ -64,7 +64,7 @@ class Mixture:
         small = "a" <= body[:1] <= "z"
         seed = self._gateway.seed if small else 0
         if self._rng.random() < 0.03:
-            # Another session's seed, or a gateway's.
+            # The seed of another session, or of a gateway's frames.
             seed ^= self._rng.choice([1, 2, 0x1236])
         text += f"{widths.crc(text, seed & (1 << widths.crc_bits) - 1):0{widths.crc_digits}X}"
         if self._rng.random() < 0.35 or not text.startswith(widths.prefix):
@@ -133,11 +133,11 @@ class Mixture:
         at = rng.randrange(len(piece))
         draw = rng.random()
         if draw < 0.3:
-            # Near the end, because most rules of cut frames are about ends.
+            # Prefer the end of a frame, because most rules of cut frames are about ends.
             at = max(len(piece) - rng.randrange(1, 4), 0)
         byte, before, after = piece[at], piece[:at], piece[at + 1 :]
         reserved = rng.choice(RESERVED)
-        # An escape that is not needed; before a reserved byte one that cuts.
+        # An unnecessary escape, or an escape before a reserved byte, which cuts the frame.
         escaped = bytes((ESCAPE, byte ^ rng.choice([0, 0x40])))
         return rng.choice(
             [
@@ -165,11 +165,11 @@ def from_a_gateway(widths: Widths, seed: int) -> list[bytes]:
 
 
 def lines_on_the_page(widths: Widths, data: bytes) -> list[bytes]:
-    """Return the text of each frame of a gateway that is not empty, with its end."""
+    """Return the text of each non-empty frame of a gateway, with its end."""
     frames = Cutter(widths, from_gateway=True).take(data)
     return lines_in(b"".join(frame.text.encode("latin-1") + (b"\r" if frame.plain else b"\n") for frame in frames))
 
 
 def lines_in(text: bytes) -> list[bytes]:
-    """Return the lines of a text that are not empty, with their ends."""
+    """Return the non-empty lines of a text, with their ends."""
     return [line for line in re.findall(rb"[^\r\n]*[\r\n]", text) if line.strip(b"\r\n")]

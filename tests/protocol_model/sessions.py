@@ -1,22 +1,22 @@
-"""Two hosts on one line to one gateway: every interleaving of sending, losing, repeating, resetting and taking over.
+"""A model of two hosts on one line to one gateway: all interleavings of sending, loss, retransmission and resets.
 
-The line is that of a device server, or of a port that two programs have opened. What both hosts send is merged, and
-what the gateway answers reaches either of them, both or none. Any frame may be lost, the gateway may be reset at any
-instant, and either host may begin a session at any instant. Frames keep their order on a stream; as datagrams they come
-in any order and any number of times.
+The line is that of a device server, or of a port that two programs have opened. The frames of both hosts are merged;
+the gateway's answers reach one host, both or none. Any frame may be lost, the gateway may be reset at any instant, and
+either host may open a session at any instant. A stream keeps the order of frames; datagrams arrive in any order and any
+number of times.
 
-Each rule of `Rules` can be left out, which shows what it is for. Each request has a host and a number beside its ID, at
-which no rule may look: by them the model sees what was executed twice, out of order or never, and whose answer an
-answer is. The requests, by the letter with which they stand in a host's window and on the line:
+Each rule of `Rules` can be left out, which shows its purpose. Besides its ID each request has its host and a number
+that no rule may read; the model uses them to find requests that were executed twice, out of order or never, and answers
+that were matched to the wrong request. These letters represent requests in a host's window and on the line:
 
     w  writes        e  writes, and fails         q  reads destructively
-    s  is posted     p  is posted, and fails      h  does nothing: the fence
-    a  is ahead      of all that was sent: no host sends it but to learn which ID the gateway expects
+    s  is posted     p  is posted, and fails      h  has no effect: the fence
+    a  is ahead      of all requests in flight: a host sends it only to query the gateway's next ID
 
-Where numbers of sessions come again, time is needed: a host is *fresh* for a second after each answer. In that second
-at most one reset or one opening of another host is explored, and as many while a request is in flight: what two of them
-can do is the bound that the page states. If another session expects by chance the ID that the host sends next, no
-exchange can show the difference: the first host ends there, and the page states how rare that is.
+If session numbers can repeat, time matters: a host is *fresh* for a second after each answer. In that second the model
+explores at most one reset or one opening by another host, and the same limit holds while a request is in flight: the
+page states this limit. If another session by chance expects the ID that the host sends next, no exchange can reveal it:
+the exploration ends there, and the page states how rare this case is.
 """
 
 import contextlib
@@ -31,72 +31,72 @@ T = TypeVar("T")
 RING = 4
 WINDOW = RING // 2
 AHEAD = WINDOW - 1
-"""Number of IDs by which a request is ahead that asks for the next ID: the most that the gateway takes for ahead."""
+"""Distance of the request that queries the next ID: the largest that the gateway takes for ahead."""
 NOTHING = -1
-"""In the place of a request's number: the question for the next ID asks for nothing else."""
+"""Number of the query for the next ID, which belongs to no request."""
 POSTED = "sp"
 FAILING = "ep"
 DONE = "."
 
 Ghost: TypeAlias = tuple[int, int] | None
-"""Host and number of a request; None for what is about none. For the checks alone."""
+"""Host and number of a request; None for a frame that is about no request. Used for checks only."""
 
 
 class Rules(NamedTuple):
-    """Rules of the protocol, and bounds of the exploration."""
+    """Rules of the protocol, and limits of the exploration."""
 
     seed: bool = True
-    """The number of the session is in the check: the gateway, and a host, drop what is of another."""
+    """The CRC depends on the session's number: gateway and hosts drop frames of other sessions."""
     way: bool = True
-    """The direction is in the check: a host takes no echo for an answer."""
+    """The CRC depends on the direction: a host does not accept an echo as an answer."""
     refuse: bool = True
-    """The gateway refuses a `K` with the number of the session under way."""
+    """The gateway refuses a `K` with the number of the open session."""
     ask: bool = True
-    """A host in doubt asks which session is under way, and ends if it is not its own."""
+    """A host in doubt sends a session query, and ends if the open session is not its own."""
     proof: bool = True
-    """The refusal of a gateway without a session shows whose request it refused."""
+    """The refusal of a gateway without a session shows which session's request it refused."""
     fate: bool = True
-    """The gateway keeps how each request ended, and answers its repetition by that."""
+    """The gateway stores the outcome of each request, and answers its repetition accordingly."""
     counts: bool = True
-    """The answer to `h` says how many posted writes failed; the host asks for each where it missed an error."""
+    """The answer to `h` has the count of failed posted writes; the host queries each write if it missed an error."""
     kept: bool = True
-    """The gateway keeps the words of a destructive read, and answers its repetition by them."""
+    """The gateway stores the words of a destructive read, and answers its repetition with them."""
     spaced: bool = True
-    """A host has no two unanswered destructive reads whose words are kept in the same place."""
+    """A host never has two unanswered destructive reads whose words are stored in the same place."""
     newer: bool = True
-    """Datagrams have a count, by which what is late is dropped, and open only the session that is on offer."""
+    """Datagrams have a count, by which late ones are dropped, and open only the offered session."""
     proves: bool = True
-    """A host that has had no answer for a second sends no request before an `n` shows that the session is its own."""
+    """A host without an answer for a second sends no request before an `n` proves that the session is its own."""
     numbers: int = 0
-    """Numbers of sessions to choose from; 0 for another one each time."""
+    """Number of session numbers to choose from; 0: each session has a new number."""
     places: int = 2
-    """Places for words that are kept."""
+    """Number of places for stored words."""
     requests: tuple[str, str] = ("www", "w")
-    """Requests of each host, in their order."""
+    """Requests of each host, in order."""
     opens: tuple[int, int] = (1, 1)
-    """Most sessions that each host begins."""
+    """Largest number of sessions that each host opens."""
     line: int = 2
-    """Most frames in each direction."""
+    """Largest number of frames in each direction."""
     resets: int = 1
     echo: bool = False
-    """The adapter gives back what is sent."""
+    """The adapter echoes the host's frames."""
     datagrams: bool = False
     sendings: int = 4
-    """Most datagrams of each side in a session, where there are datagrams."""
+    """Largest number of datagrams of each side in a session (with `datagrams`)."""
 
 
 PROTOCOL_02 = Rules(seed=False, way=False, refuse=False, ask=False, proof=False, fate=False, counts=False, kept=False)
-"""Rules of the version before this one."""
+"""Rules of protocol version 02."""
 
 
 class Frame(NamedTuple):
-    """A frame; `kind` is a letter of a request, or the word for an answer."""
+    """A frame; `kind` is the letter of a request, or a word for an answer."""
 
     kind: str
     session: int
     ident: int = 0
     extra: Ghost | int | str = 0
-    """Count of failed posts, word of a destructive read, or that it is an echo."""
+    """Count of failed posted writes, word of a destructive read, or the mark of an echo."""
     ghost: Ghost = None
     serial: int = 0
     """Count of its datagram."""
@@ -111,7 +111,7 @@ class Request(NamedTuple):
 
 
 class Host(NamedTuple):
-    """A host: requests `first` and on are in its window, `base` is the ID of the first."""
+    """A host; requests from `first` on are in its window, and `base` is the ID of `first`."""
 
     phase: str = "away"
     """`away`, `opening` or `open`."""
@@ -121,26 +121,26 @@ class Host(NamedTuple):
     window: tuple[Request, ...] = ()
     opens: int = 0
     known: int = 0
-    """Requests below this number are known to be executed."""
+    """All requests below this number were executed, as far as the host knows."""
     heard: int = 0
-    """Posted requests of the session of which it is known that they failed."""
+    """Number of the session's posted requests whose errors the host has received."""
     newest: int = 0
     sent: int = 0
     fresh: bool = True
     """Less than a second has passed since its last answer."""
     changed: bool = False
-    """In this second the session under way was ended."""
+    """The open session was ended during this second."""
 
 
 class Gateway(NamedTuple):
-    """The gateway; session 0 is none."""
+    """The gateway; session 0 means that no session is open."""
 
     session: int = 0
     opener: int = -1
-    """Host that began the session; for the checks alone."""
+    """Host that opened the session; used for checks only."""
     expected: int = 0
     failed_at: tuple[bool, ...] = (False,) * WINDOW
-    """True for each ID, modulo the window, of which the last request failed."""
+    """For each ID modulo the window, true if its last request failed."""
     failed: int = 0
     kept: tuple[Ghost, ...] = ()
     newest: int = 0
@@ -149,7 +149,7 @@ class Gateway(NamedTuple):
 
 
 class State(NamedTuple):
-    """Everything; `executed` and `never`, which was told as not executed, have a bit for each request of each host."""
+    """State of hosts, gateway and line; `executed` and `never` (so reported) have a bit for each request of a host."""
 
     hosts: tuple[Host, Host] = (Host(), Host())
     gateway: Gateway = Gateway()
@@ -161,27 +161,27 @@ class State(NamedTuple):
 
 
 class _WrongError(Exception):
-    """Something that must not be."""
+    """A forbidden state was reached."""
 
 
 class _BoundError(Exception):
-    """A step that the bounds of the rules leave out."""
+    """A step beyond the limits of the rules."""
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
-    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    """Explore the rules; if `sought` is given, pass over all other faults."""
     start = State(gateway=Gateway(kept=(None,) * rules.places))
-    # What is bounded may run out before the end is reached, so over datagrams not every state has a way to it.
+    # A limit may be reached before the end, so over datagrams not every state has a way to an end.
     return explore(
         start,
         lambda state: _moves(rules, state),
-        lambda state: _all_told(rules, state),
+        lambda state: _all_reported(rules, state),
         always_ends=not rules.datagrams,
         sought=sought,
     )
 
 
-def _all_told(rules: Rules, state: State) -> bool:
+def _all_reported(rules: Rules, state: State) -> bool:
     return all(
         host.phase == "away" or host.first == len(requests)
         for host, requests in zip(state.hosts, rules.requests, strict=True)
@@ -196,7 +196,7 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
         rest = state._replace(out=state.out[:place] + state.out[place + 1 :])
         yield f"lost: {frame}", rest
         if len(state.back) < rules.line and (not rules.datagrams or state.gateway.sent < rules.sendings):
-            # A datagram may come once more.
+            # A datagram may arrive again.
             for before in (rest, state) if rules.datagrams else (rest,):
                 yield from _tried(f"the gateway takes {frame}", partial(_taken, rules, before, frame))
     for place, frame in enumerate(state.back if rules.datagrams else state.back[:1]):
@@ -223,12 +223,12 @@ def _reset(rules: Rules, state: State) -> State:
 
 
 def _is_answered(state: State, who: int) -> bool:
-    """Return whether an answer to a host's question for the next ID is on its way: it arrives within the second."""
+    """Return true if an answer to the host's query for the next ID is on the line: it arrives within the second."""
     return any(frame.kind == "n" and frame.ghost == (who, NOTHING) for frame in state.back)
 
 
 def _changed(rules: Rules, state: State, opener: int) -> State:
-    """Return the state after the session under way was ended by a reset, or by a host that began another."""
+    """Return the state after the open session was ended by a reset, or by a host that opened another one."""
     if not rules.numbers:
         return state
     for who, host in enumerate(state.hosts):
@@ -251,7 +251,7 @@ def _of_host(pair: tuple[T, T], who: int, item: T) -> tuple[T, T]:
 
 
 def _taken(rules: Rules, state: State, frame: Frame) -> State:
-    """Return the state after the gateway took a frame."""
+    """Return the state after the gateway received a frame."""
     state, answer = _answered(rules, state, frame)
     if answer is None:
         return state
@@ -295,7 +295,7 @@ def _opened(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | No
 
 
 def _in_order(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
-    """Return what becomes of a request of the session."""
+    """Return the state after a request of the session, and the gateway's answer."""
     gateway, ident = state.gateway, frame.ident
     ahead = (ident - gateway.expected) % RING
     assert frame.ghost is not None
@@ -313,7 +313,7 @@ def _in_order(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | 
     if done >> number:
         raise _WrongError("executed twice" if done >> number & 1 else "executed out of order")
     if state.never[who] >> number & 1:
-        raise _WrongError("executed, and was told as not executed")
+        raise _WrongError("executed, but reported as not executed")
     fails = frame.kind in FAILING
     gateway = gateway._replace(
         expected=(ident + 1) % RING,
@@ -330,7 +330,7 @@ def _in_order(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | 
 
 
 def _repeated(rules: Rules, gateway: Gateway, frame: Frame) -> Frame | None:
-    """Return the answer to a request that was executed before."""
+    """Return the answer to a repetition of an executed request."""
     about = gateway.session, frame.ident
     if rules.fate and gateway.failed_at[frame.ident % WINDOW]:
         return Frame("x", *about, ghost=frame.ghost)
@@ -422,13 +422,13 @@ def _frame(host: Host, who: int, place: int) -> Frame:
 def _sent(rules: Rules, state: State, who: int, host: Host, *frames: Frame) -> State:
     host = host._replace(sent=host.sent + rules.datagrams)
     out = (*state.out, *(frame._replace(serial=host.sent) for frame in frames))
-    # Of these alone a request and its answer look the same, but for the check.
+    # Only for these frames a request and its answer have the same text, except for the CRC.
     echoes = tuple(frame._replace(extra="echo") for frame in frames if rules.echo and frame.kind in "Kh")
     return state._replace(hosts=_of_host(state.hosts, who, host), out=out, back=state.back + echoes)
 
 
 def _ended(host: Host) -> Host:
-    """Return a host without a session: of what was in flight it has said that it does not know."""
+    """Return a host without a session; it has reported the outcomes of the requests in flight as unknown."""
     return host._replace(phase="away", session=0, first=host.first + len(host.window), window=())
 
 
@@ -439,7 +439,7 @@ def _heard_by(rules: Rules, state: State, frame: Frame, hearing: tuple[int, ...]
 
 
 def _heard(rules: Rules, state: State, frame: Frame, who: int) -> State:
-    """Return the state after a host heard a frame."""
+    """Return the state after a host received a frame."""
     host, kind = state.hosts[who], frame.kind
     if frame.extra == "echo":
         if rules.way:
@@ -461,7 +461,7 @@ def _heard(rules: Rules, state: State, frame: Frame, who: int) -> State:
 
 
 def _heard_in_session(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
-    """Return the state after a host heard a frame that passes the check of its session."""
+    """Return the state after a host received a frame whose CRC is that of its session."""
     if frame.session == host.session:
         if _is_of_another(host, frame):
             return _with(state, who, _ended(host))
@@ -473,7 +473,7 @@ def _heard_in_session(rules: Rules, state: State, frame: Frame, who: int, host: 
 
 
 def _is_of_another(host: Host, frame: Frame) -> bool:
-    """Return whether a frame shows that the session under way, of the same number, is of another host."""
+    """Return true if a frame proves that the open session, with the same number, belongs to another host."""
     if frame.kind == "n":
         return (frame.ident - host.base) % RING > len(host.window)
     return not host.fresh and frame.kind == "a" and frame.ident == (host.base + AHEAD) % RING
@@ -484,9 +484,9 @@ def _with(state: State, who: int, host: Host) -> State:
 
 
 def _refused(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
-    """Return the state after the news that the gateway had no session when a request came.
+    """Return the state after an answer that the gateway had no session when it received a request.
 
-    That request and those behind it were not executed, if each was sent once. Datagrams may be late, and tell nothing.
+    That request and later ones were not executed, if each was sent once. Datagrams may be late, so they prove nothing.
     """
     place = (frame.ident - host.base) % RING
     if (rules.proof and frame.session != host.session) or place >= len(host.window):
@@ -495,12 +495,12 @@ def _refused(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> 
     if rules.datagrams or any(request.again for request in host.window[place:]):
         never = 0
     if never & state.executed[who]:
-        raise _WrongError("told as not executed, and was")
+        raise _WrongError("reported as not executed, but executed")
     return _with(state, who, _ended(host))._replace(never=_of_host(state.never, who, state.never[who] | never))
 
 
 def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
-    """Return the state after an answer of the session, or one that is taken for such."""
+    """Return the state after an answer of the session, or a frame that the host accepts as one."""
     place = (frame.ident - host.base) % RING
     executed = state.executed[who]
     if frame.kind == "n":
@@ -509,7 +509,7 @@ def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> Sta
         return _with(state, who, host)
     asked, number = host.window[place].kind, host.first + place
     if frame.ghost != (who, number):
-        raise _WrongError("an answer in wrong hands")
+        raise _WrongError("an answer is matched to the wrong request")
     is_fence = asked == "h"
     if frame.kind == "x":
         host = host._replace(heard=(host.heard + (asked in POSTED)) % RING)
@@ -517,7 +517,7 @@ def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> Sta
         if is_fence and frame.extra != "echo" and rules.counts:
             host = _confirmed(rules, host, place + 1, executed)
             if frame.extra != host.heard:
-                # The error of a posted one was lost: each is asked for.
+                # The error of a posted request was lost: query each of them.
                 return _with(state, who, host)
         _check(asked, frame, done=bool(executed >> number & 1))
     host = _confirmed(rules, host, place + 1, executed, fence=is_fence)
@@ -527,22 +527,22 @@ def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> Sta
 
 def _check(asked: str, frame: Frame, *, done: bool) -> None:
     if not done:
-        raise _WrongError("told as done, and not executed")
+        raise _WrongError("reported as done, but not executed")
     if asked in FAILING:
-        raise _WrongError("told as done, and failed")
+        raise _WrongError("reported as done, but failed")
     if asked == "q" and frame.extra != frame.ghost:
         raise _WrongError("a word is lost")
 
 
 def _confirmed(rules: Rules, host: Host, count: int, executed: int, *, fence: bool = False) -> Host:
-    """Return a host after the news that its first `count` requests were executed; a fence tells the posted ones."""
+    """Return a host after its first `count` requests were executed; a fence confirms the posted ones among them."""
     window = host.window
     for place in range(count):
         if window[place].kind in POSTED and (fence or not rules.counts):
             if not executed >> host.first + place & 1:
-                raise _WrongError("a posted request is told as done, and not executed")
+                raise _WrongError("a posted request is reported as done, but not executed")
             if window[place].kind == "p":
-                raise _WrongError("a posted request is told as done, and failed")
+                raise _WrongError("a posted request is reported as done, but failed")
             window = _put(window, place, Request(DONE))
     return _shrunk(host._replace(window=window, known=max(host.known, host.first + count)))
 

@@ -1,16 +1,16 @@
-"""Requests with IDs over a line that keeps the order: every interleaving of what host, line and gateway can do.
+"""A model of requests with IDs over a line that keeps the order: every interleaving of host, line and gateway.
 
-A ring of four IDs and a window of two are enough to show what goes wrong on a ring of any size: its half is what may be
-in flight, and it comes round within a few requests. Each request has a number beside its ID, which no rule may look at:
-by it the model sees what was executed twice, out of order or never, and whose answer an answer is.
+Four IDs and a window of two are enough to show every fault of a larger sequence space: half of the IDs may be in
+flight, and IDs repeat after a few requests. Besides its ID each request has a number that no rule may read; the model
+uses it to find requests that were executed twice, out of order or never, and answers matched to the wrong request.
 
-The requests, by the letter with which they stand in the host's window and on the line:
+These letters represent requests in the host's window and on the line:
 
     w  is answered            e  is answered, and ends in an error
     s  is posted              p  is posted, and ends in an error
-    q  takes something away   h  does nothing: the fence, and what stands in for a request that was given up
+    q  reads destructively    h  has no effect: the fence, and the replacement of a request that was given up
 
-One host speaks here, again and again; `sessions` has two of them, failed posts and words that are kept.
+One host opens one session after another; `sessions` models two hosts, failed posted writes and stored words.
 """
 
 from collections.abc import Iterator
@@ -25,62 +25,62 @@ FAILING = "ep"
 DONE = "-"
 
 Frame: TypeAlias = tuple[str, int, int, int]
-"""Kind, ID, number of the request, session in the check. From the gateway: k, n, and the kinds of answers below."""
+"""Kind, ID, number of the request, session in the CRC. The gateway sends k, n, and the kinds of answers below."""
 ANSWER, ERROR, NO_SESSION = "answer", "error", "no session"
 DAMAGED: Frame = ("damaged", 0, -1, 0)
 CRC_ERROR: Frame = ("X01", 0, -1, 0)
 
 
 class Rules(NamedTuple):
-    """Rules of a version of the protocol, and bounds of the exploration."""
+    """Rules of a version of the protocol, and limits of the exploration."""
 
     needs_session: bool = True
-    """No session, no execution."""
+    """Without a session no request is executed."""
     names_session: bool = True
-    """The number of the session is in the check of each frame, and what is of another is passed over."""
+    """The CRC of each frame depends on the session's number; frames of other sessions are ignored."""
     kinds: str = "w"
     requests: int = 5
     in_line: int = 3
-    """Most frames in each direction."""
+    """Largest number of frames in each direction."""
     resets: int = 1
-    """Most resets of the gateway."""
+    """Largest number of resets of the gateway."""
     restarts: int = 0
-    """Most times that the host begins anew on the line as it stands."""
+    """Largest number of times that the host opens a session again while frames are on the line."""
     damages: bool = False
-    """Frames may also arrive damaged, which the gateway answers; a damaged answer is a lost one."""
+    """Frames may also arrive damaged: the gateway answers a damaged request, and a damaged answer is lost."""
     cancels: bool = False
     """Requests may be given up."""
     leaves_room: bool = True
-    """A posted request is sent only where the window has room for the fence behind it."""
+    """A posted request is sent only if the window has space for the fence after it."""
     minds_repetitions: bool = True
-    """After a reset, what was sent more than once is not told as not executed."""
+    """After a reset, requests that were sent more than once are not reported as not executed."""
     minds_order: bool = True
-    """Nor is what was first sent before the last repetition of the request that the gateway refused."""
+    """Nor are requests that were first sent before the last retransmission of the refused request."""
 
 
 class Host(NamedTuple):
-    """The host: requests `first` and on stand in the window."""
+    """The host; requests from `first` on are in the window."""
 
     session: int
     """Number of its session; each `K` has another one."""
     ready: bool
     """The session was confirmed."""
     offset: int
-    """ID less number, in this session."""
+    """ID minus number, in this session."""
     first: int
     window: str
-    """A letter for each request in flight, `DONE` for those that were told."""
+    """A letter for each request in flight; `DONE` for requests with a reported outcome."""
     confirmed: int
-    """Number of them that are known to be executed."""
+    """Number of requests in the window that were executed, as far as the host knows."""
     again: tuple[int, ...]
-    """For each of them, how many requests there had been when it was sent again last; 0 if it was sent once."""
+    """For each request in the window, the number of requests at its last retransmission; 0 if it was sent once."""
 
 
 class Gateway(NamedTuple):
-    """The gateway; `executed` and `never` have a bit for each number, for the checks alone."""
+    """The gateway; `executed` and `never` have a bit for each number and are used for checks only."""
 
     session: int
-    """Number of the session under way, 0 for none."""
+    """Number of the open session, 0 for none."""
     expected: int
     gap_told: bool
     executed: int
@@ -89,7 +89,7 @@ class Gateway(NamedTuple):
 
 
 class State(NamedTuple):
-    """Everything."""
+    """State of host, gateway and line."""
 
     host: Host
     gateway: Gateway
@@ -100,12 +100,12 @@ class State(NamedTuple):
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
-    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    """Explore the rules; if `sought` is given, pass over all other faults."""
     start = State(Host(1, False, 0, 0, "", 0, ()), Gateway(0, 0, False, 0, 0), (), (), 0, 0)
-    return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
+    return explore(start, lambda state: _moves(rules, state), lambda state: _all_reported(rules, state), sought=sought)
 
 
-def _all_told(rules: Rules, state: State) -> bool:
+def _all_reported(rules: Rules, state: State) -> bool:
     return state.host.first >= rules.requests
 
 
@@ -153,7 +153,7 @@ def _show(frame: Frame) -> str:
 
 
 def _take(rules: Rules, gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
-    """Return what the gateway is after a frame, and its answer."""
+    """Return the gateway after a frame, and its answer."""
     kind, ident, number, session = frame
     if frame == DAMAGED:
         return gateway, CRC_ERROR
@@ -167,7 +167,7 @@ def _take(rules: Rules, gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault
 
 
 def _in_sequence(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
-    """Return the same for a request in a session."""
+    """Return the gateway after a request of the session, and its answer."""
     ident = frame[1]
     ahead = (ident - gateway.expected) % RING
     if ahead == 0:
@@ -187,7 +187,7 @@ def _execute(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | N
             how = "twice" if executed >> number & 1 else "out of order"
             return Fault(f"request {number} is executed {how}"), None
         if gateway.never >> number & 1:
-            return Fault(f"request {number} is executed, and was told as not executed"), None
+            return Fault(f"request {number} is executed, but reported as not executed"), None
         executed |= 1 << number
     after = gateway._replace(expected=(ident + 1) % RING, gap_told=False, executed=executed)
     if kind in FAILING:
@@ -253,7 +253,7 @@ def _send_again(state: State, places: list[int]) -> State:
 
 
 def _kinds(rules: Rules, host: Host, number: int) -> Iterator[str]:
-    """Return the kinds of which the next request may be; behind posted ones a fence is always one more."""
+    """Return the possible kinds of the next request; after posted requests one more may always be a fence."""
     if number < rules.requests:
         alone = len(host.window) + 1 < WINDOW
         yield from (kind for kind in rules.kinds if kind not in POSTED or alone or not rules.leaves_room)
@@ -270,13 +270,13 @@ def _put(window: str, place: int, letter: str) -> str:
 
 
 def _new_session(host: Host) -> Host:
-    """Return the host with nothing in flight: of each request it has said what it knows."""
+    """Return the host with an empty window, after it has reported the outcome of each request."""
     first = host.first + len(host.window)
     return Host(host.session + 1, False, -first % RING, first, "", 0, ())
 
 
 def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
-    """Return everything after the host has heard a frame of the gateway."""
+    """Return the state after the host received a frame of the gateway."""
     kind, ident, _, session = frame
     if rules.names_session and session != state.host.session:
         return state
@@ -287,9 +287,9 @@ def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
 
 
 def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
-    """Return everything after the news that the gateway had no session when the request with an ID came.
+    """Return the state after an answer that the gateway had no session when it received a request.
 
-    That request and those behind it were not executed, unless they were sent before; of all others it is unknown.
+    That request and later ones were not executed, unless they were sent before; the outcomes of all others are unknown.
     """
     host, gateway = state.host, state.gateway
     place = (ident - _id(host, host.first)) % RING
@@ -297,7 +297,7 @@ def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
     for number in range(_never_executed_from(rules, host, place), host.first + len(host.window)):
         never |= 1 << number
     if never & gateway.executed:
-        return Fault("a request is told as not executed, and was")
+        return Fault("a request is reported as not executed, but was executed")
     after = gateway._replace(never=gateway.never | never)
     return state._replace(host=_new_session(host), gateway=after)
 
@@ -313,7 +313,7 @@ def _never_executed_from(rules: Rules, host: Host, place: int) -> int:
 
 
 def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
-    """Return what the host is after a frame of the gateway that leaves the session as it is."""
+    """Return the host after a frame of the gateway that does not change the session."""
     kind, ident = frame[:2]
     if not host.ready:
         return host._replace(ready=kind == "k" and ident == _id(host, host.first))
@@ -326,23 +326,23 @@ def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
 
 
 def _answered(host: Host, place: int, frame: Frame, executed: int) -> Host | Fault:
-    """Return the host after an answer that it takes for that of the request at `place`."""
+    """Return the host after an answer that it matches to the request at `place`."""
     number = frame[2]
     if number != host.first + place:
         return Fault(f"the answer of request {number} is taken for that of {host.first + place}")
     if host.window[place] != "h" and not executed >> number & 1:
-        return Fault(f"request {number} is told as executed, and was not")
+        return Fault(f"request {number} is reported as executed, but was not")
     answered = host._replace(window=_put(host.window, place, DONE))
     return _confirm(answered, place + 1, executed)
 
 
 def _confirm(host: Host, count: int, executed: int) -> Host | Fault:
-    """Return the host after the news that `count` requests from its first on were executed."""
+    """Return the host after its first `count` requests were executed."""
     window = host.window
     for place in range(count):
         if window[place] in POSTED:
             if not executed >> host.first + place & 1:
-                return Fault(f"the posted request {host.first + place} is told as executed, and was not")
+                return Fault(f"the posted request {host.first + place} is reported as executed, but was not")
             window = _put(window, place, DONE)
     confirmed = max(host.confirmed, count)
     told = len(window) - len(window.lstrip(DONE))

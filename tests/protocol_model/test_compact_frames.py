@@ -1,4 +1,4 @@
-"""Text, compact and cut frames: all that read them agree with the page, by a gateway that was written from it alone."""
+"""Text, compact and cut frames: every reader of frames agrees with a gateway that was written from the page alone."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ GATEWAYS = {
     "node": (GatewayInfo(id_digits=2, address_bits=12, features=FEATURES), 0xB5),
 }
 LIFE = 250
-"""Frames that a gateway is sent before another one takes its place."""
+"""Number of frames that a gateway receives before a new one replaces it."""
 AMOUNTS = [2_000, pytest.param(25_000, marks=pytest.mark.campaign)]
-"""Frames of each of the four gateways."""
+"""Number of frames for each of the four gateways."""
 
 
 def widths_of(info: GatewayInfo, node: int | None = None) -> Widths:
@@ -66,23 +66,23 @@ def widths_of(info: GatewayInfo, node: int | None = None) -> Widths:
 
 
 def on_the_page(gateway: BareGateway, node: int | None = None) -> GatewayOnThePage:
-    """Return the gateway on the page that is to answer as another one does."""
+    """Return a gateway on the page with the widths and configuration of another gateway."""
     return GatewayOnThePage(widths_of(gateway.info, node), gateway.info.to_hex().decode())
 
 
 def assert_agree(gateway: BareGateway, page: GatewayOnThePage, seed: int, amount: int = LIFE) -> None:
-    """Send frames to a gateway, and assert that each is answered as the page says."""
+    """Send frames to a gateway, and assert that each is answered as on the page."""
     sent = []
     for piece, answer in Mixture(page, random.Random(seed)).pieces(amount):
         sent.append(piece)
         assert (gateway.receive(piece, 0.0), sent[-5:]) == (answer, sent[-5:])
 
 
-# The page's own words
+# The examples of the page
 
 
 def bytes_of(cell: str) -> bytes | None:
-    """Return the bytes that a cell of the table of cut frames shows; None for one that leaves some out."""
+    """Return the bytes that a cell of the table of cut frames shows; None if the cell abbreviates them."""
     names = {"LF": LF, "CR": CR}
     found = bytearray()
     for span in re.findall("`([^`]+)`", cell):
@@ -95,7 +95,7 @@ def bytes_of(cell: str) -> bytes | None:
 
 
 def rows_of_the_page() -> list[tuple[bytes, bytes]]:
-    """Return bytes and answers of the table of cut frames."""
+    """Return bytes and expected answers from the table of cut frames."""
     text = DOCUMENT.read_text(encoding="utf-8").partition("### Cut frames")[2].partition("\n### ")[0]
     rows = [line.split("|")[1:3] for line in text.splitlines() if line.startswith("| `")]
     pairs = [(bytes_of(sent), answer) for sent, answer in rows]
@@ -110,10 +110,10 @@ def test_the_page_has_a_row_for_each_way_to_cut_a_frame() -> None:
 
 @pytest.mark.parametrize("kind", ["page", "sim", RTL])
 @pytest.mark.parametrize("begins", [b"", FRAMING.checked(b"K0001234")], ids=["no session", "session"])
-def test_each_row_of_the_page_is_answered_as_it_says(kind: str, begins: bytes) -> None:
+def test_each_row_of_the_table_of_cut_frames_is_answered_as_written(kind: str, begins: bytes) -> None:
     rows, harmless = rows_of_the_page(), FRAMING.checked(b"H")
     if kind == "rtl":
-        # The compiled one has another CRC.
+        # The compiled gateway has another CRC.
         rows = [row for row in rows if not row[0].startswith(b"K")]
         begins = begins and CODEC_32.framing.checked(b"K0001234")
         harmless, cut = CODEC_32.framing.checked(b"H"), CODEC_32.framing.checked(b"X01")
@@ -122,12 +122,12 @@ def test_each_row_of_the_page_is_answered_as_it_says(kind: str, begins: bytes) -
         take = taker_of(kind)
         take(begins)
         assert take(b"\n" + sent) == answer
-        # Whatever it was, the next frame is whole.
+        # After any cut frame, the next frame is complete.
         assert take(b"\n" + harmless) == harmless
 
 
 def taker_of(kind: str) -> Callable[[bytes], bytes]:
-    """Return a gateway fresh from reset, as a function that takes bytes and returns its answers."""
+    """Return a function that passes bytes to a newly reset gateway and returns its answers."""
     if kind == "page":
         page = GatewayOnThePage()
         return lambda data: b"".join(page.answers(data))
@@ -170,14 +170,14 @@ def test_the_gateware_answers_cut_and_mixed_frames_as_the_page_says(amount: int)
 
 @pytest.mark.parametrize("kind", ["sim", RTL])
 @pytest.mark.parametrize("cut", [b"\n", b"\r", bytes((START, END)), bytes((ESCAPE, END))], ids=lambda cut: cut.hex())
-def test_lost_bytes_and_length_go_before_a_cut(kind: str, cut: bytes) -> None:
+def test_lost_bytes_and_length_are_reported_before_a_cut(kind: str, cut: bytes) -> None:
     gateway = (compiled if kind == "rtl" else simulated)(**COMPACT)
     longest = on_the_page(gateway).widths.longest
     begun = bytes((START, 0x30))
     assert gateway.receive(begun, 0.0) == b""
     gateway.overflow()
     assert gateway.receive(cut, 0.0)[:3] == b"X09"
-    # The text of the beginning has two characters; the byte of an end counts, too.
+    # The beginning has two characters of text; the end byte counts too.
     most = (longest - 3) // 2
     assert gateway.receive(begun + bytes(most) + cut, 0.0)[:3] == b"X01"
     assert gateway.receive(begun + bytes(most + 1) + cut, 0.0)[:3] == b"X07"
@@ -209,7 +209,7 @@ def test_the_end_of_a_datagram_cuts_a_compact_frame() -> None:
 
 @pytest.mark.parametrize("amount", AMOUNTS)
 @pytest.mark.parametrize("widths", HOSTS, ids=str)
-def test_the_host_cuts_what_a_gateway_sends_as_the_page_says(widths: Widths, amount: int) -> None:
+def test_the_host_cuts_the_frames_of_a_gateway_as_the_page_says(widths: Widths, amount: int) -> None:
     form = CompactForm(widths.id_digits, widths.crc_digits, widths.address_digits, from_gateway=True)
     form = dataclasses.replace(form, has_node=widths.node is not None)
     for seed in range(amount // FRAMES):

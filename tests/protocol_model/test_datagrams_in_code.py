@@ -1,4 +1,4 @@
-"""The rules of datagrams in the code of both sides, in every state of a small model."""
+"""The rules of datagrams hold for the classes of both sides, in every state of a small model."""
 
 import pytest
 
@@ -18,7 +18,7 @@ campaign = pytest.mark.campaign
         pytest.param(Rules(beginnings=2, datagrams=3, requests=2), marks=campaign),
     ],
 )
-def test_both_sides_take_nothing_that_is_late_or_doubled(rules: Rules) -> None:
+def test_both_sides_drop_late_and_duplicated_datagrams(rules: Rules) -> None:
     found = datagrams_in_code.explored(rules)
     assert found.fault is None, str(found)
     assert found.ends

@@ -1,7 +1,7 @@
-"""The rules of the protocol hold in every state of a small model, and each of them is needed.
+"""The rules of the protocol hold in every state of a small model, and each of them is necessary.
 
-What is explored without a fault is version 03. Versions 01 and 02, and 03 without one of its rules, are the proof that
-the same exploration finds what is wrong.
+The explorations of version 03 find no fault. Those of versions 01 and 02, and of 03 without one of its rules, find the
+expected faults: the exploration is able to find them.
 """
 
 import pytest
@@ -16,14 +16,14 @@ PROTOCOL_01 = stream.Rules(needs_session=False, names_session=False)
 
 
 def assert_holds(found: Exploration) -> None:
-    """Assert that nothing went wrong, and that the stories that were explored had an end."""
+    """Assert that no fault was found, and that the exploration reached a final state."""
     assert found.fault is None, str(found)
     assert found.ends
 
 
 def assert_fails(found: Exploration, fault: str, steps: int) -> None:
-    """Assert that a fault was found, by a story that is as short as it can be."""
-    assert (found.fault, len(found.story)) == (fault, steps), str(found)
+    """Assert that a fault was found, and that the shortest trace to it has `steps` steps."""
+    assert (found.fault, len(found.trace)) == (fault, steps), str(found)
 
 
 # Requests with IDs over a line that keeps the order
@@ -51,38 +51,38 @@ def assert_fails(found: Exploration, fault: str, steps: int) -> None:
         pytest.param(stream.Rules(kinds="ws", cancels=True, requests=3), marks=campaign),
     ],
 )
-def test_requests_are_executed_once_in_order_and_told_right(rules: stream.Rules) -> None:
+def test_requests_are_executed_once_in_order_and_reported_correctly(rules: stream.Rules) -> None:
     assert_holds(stream.explored(rules))
 
 
-def test_a_gateway_that_executes_before_a_session_does_so_twice_behind_a_reset() -> None:
+def test_executing_before_a_session_repeats_a_request_after_a_reset() -> None:
     assert_fails(stream.explored(PROTOCOL_01), "request 0 is executed twice", 8)
 
 
-def test_a_gateway_that_executes_before_a_session_acknowledges_what_it_never_executed() -> None:
-    found = stream.explored(PROTOCOL_01, "told as executed")
-    assert_fails(found, "request 2 is told as executed, and was not", 12)
+def test_executing_before_a_session_acknowledges_unexecuted_requests() -> None:
+    found = stream.explored(PROTOCOL_01, "reported as executed")
+    assert_fails(found, "request 2 is reported as executed, but was not", 12)
 
 
-def test_a_session_without_a_number_in_its_frames_takes_the_answers_of_the_one_before() -> None:
+def test_a_session_without_a_number_takes_answers_of_the_one_before() -> None:
     found = stream.explored(stream.Rules(names_session=False, restarts=1))
     assert_fails(found, "the answer of request 0 is taken for that of 1", 11)
 
 
 @pytest.mark.slow
-def test_a_window_that_posted_requests_fill_can_never_be_confirmed() -> None:
+def test_a_window_full_of_posted_requests_can_never_be_confirmed() -> None:
     found = stream.explored(stream.Rules(kinds="sh", leaves_room=False, resets=0))
     assert_fails(found, "there is no way to an end", 5)
 
 
-def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_before() -> None:
+def test_a_refused_retransmission_may_have_been_executed() -> None:
     found = stream.explored(stream.Rules(minds_repetitions=False))
-    assert_fails(found, "a request is told as not executed, and was", 10)
+    assert_fails(found, "a request is reported as not executed, but was executed", 10)
 
 
-def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
+def test_requests_sent_before_a_refused_retransmission_may_be_executed() -> None:
     found = stream.explored(stream.Rules(minds_order=False))
-    assert_fails(found, "a request is told as not executed, and was", 13)
+    assert_fails(found, "a request is reported as not executed, but was executed", 13)
 
 
 # Two hosts on one line
@@ -103,7 +103,7 @@ WITHOUT = {
     "rules",
     [
         pytest.param(sessions.Rules(requests=("w", "w")), id="two hosts"),
-        pytest.param(sessions.Rules(requests=("w", "w"), opens=(2, 1), resets=0), id="one comes back"),
+        pytest.param(sessions.Rules(requests=("w", "w"), opens=(2, 1), resets=0), id="one returns"),
         pytest.param(sessions.Rules(requests=("e", "e")), id="both fail"),
         pytest.param(sessions.Rules(requests=("ph", "w"), resets=0), id="a post and its fence"),
         pytest.param(sessions.Rules(requests=("qw", "q"), resets=0), id="destructive reads"),
@@ -112,7 +112,7 @@ WITHOUT = {
         pytest.param(
             sessions.Rules(requests=("w", "w"), numbers=2, opens=(1, 2), resets=0),
             marks=slow,
-            id="a number that comes again",
+            id="a repeated number",
         ),
         pytest.param(ALONE._replace(requests=("phph", ""), line=3, resets=0), id="failed posts"),
         pytest.param(ALONE._replace(requests=("pwsh", ""), line=3, resets=0), id="posts and writes"),
@@ -121,7 +121,7 @@ WITHOUT = {
         pytest.param(ALONE._replace(requests=("w", ""), datagrams=True, resets=0, sendings=3), id="datagrams"),
         pytest.param(sessions.Rules(requests=("ww", "w")), marks=campaign, id="two hosts, longer"),
         pytest.param(
-            sessions.Rules(requests=("ww", "w"), opens=(2, 1), resets=0), marks=campaign, id="one comes back, longer"
+            sessions.Rules(requests=("ww", "w"), opens=(2, 1), resets=0), marks=campaign, id="one returns, longer"
         ),
         pytest.param(sessions.Rules(requests=("ew", "e")), marks=campaign, id="both fail, longer"),
         pytest.param(sessions.Rules(requests=("ph", "w")), marks=campaign, id="a post and its fence and a reset"),
@@ -137,19 +137,19 @@ WITHOUT = {
         pytest.param(
             sessions.Rules(requests=("ww", "w"), numbers=2, opens=(1, 2), resets=0),
             marks=campaign,
-            id="a number that comes again, longer",
+            id="a repeated number, longer",
         ),
         pytest.param(
             sessions.Rules(requests=("ph", "w"), numbers=2, opens=(1, 2), resets=0),
             marks=campaign,
-            id="a number that comes again to posts",
+            id="a repeated number and posts",
         ),
         pytest.param(sessions.Rules(requests=("ww", "w"), line=3, resets=0), marks=campaign, id="a longer line"),
         pytest.param(ALONE._replace(requests=("ww", ""), datagrams=True), marks=campaign, id="datagrams and a reset"),
         pytest.param(ALONE._replace(requests=("phph", ""), line=3), marks=campaign, id="failed posts and a reset"),
     ],
 )
-def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
+def test_two_hosts_on_one_line_get_correct_outcomes(rules: sessions.Rules) -> None:
     assert_holds(sessions.explored(rules))
 
 
@@ -157,15 +157,15 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
 @pytest.mark.parametrize(
     ("rules", "fault"),
     [
-        pytest.param(sessions.PROTOCOL_02, "told as done, and not executed", id="02, two hosts"),
+        pytest.param(sessions.PROTOCOL_02, "reported as done, but not executed", id="02, two hosts"),
         pytest.param(
             sessions.PROTOCOL_02._replace(requests=("ew", ""), opens=(1, 0)),
-            "told as done, and failed",
+            "reported as done, but failed",
             id="02, writes",
         ),
         pytest.param(
             sessions.PROTOCOL_02._replace(requests=("ph", ""), opens=(1, 0)),
-            "a posted request is told as done, and failed",
+            "a posted request is reported as done, but failed",
             id="02, posts",
         ),
         pytest.param(
@@ -173,27 +173,33 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
         ),
         pytest.param(
             sessions.PROTOCOL_02._replace(requests=("sh", ""), opens=(1, 0), echo=True),
-            "told as done, and not executed",
+            "reported as done, but not executed",
             id="02, an echo",
         ),
-        pytest.param(sessions.Rules(requests=("ww", "w"), seed=False), "told as done, and not executed", id="seed"),
+        pytest.param(sessions.Rules(requests=("ww", "w"), seed=False), "reported as done, but not executed", id="seed"),
         pytest.param(
             WITHOUT["way"]._replace(requests=("sh", ""), echo=True, counts=False),
-            "told as done, and not executed",
+            "reported as done, but not executed",
             id="way",
         ),
-        pytest.param(sessions.Rules(numbers=1, refuse=False, resets=0), "told as done", id="refuse"),
+        pytest.param(sessions.Rules(numbers=1, refuse=False, resets=0), "reported as done", id="refuse"),
         pytest.param(
             sessions.Rules(numbers=2, opens=(1, 2), resets=0, proves=False),
-            "told as done",
+            "reported as done",
             marks=slow,
             id="proves",
         ),
-        pytest.param(sessions.Rules(requests=("w", "w"), numbers=1, proves=False), "told as done", id="proves, reset"),
-        pytest.param(sessions.Rules(requests=("w", "www"), proof=False), "told as not executed, and was", id="proof"),
-        pytest.param(WITHOUT["fate"]._replace(requests=("ew", "")), "told as done, and failed", id="fate"),
         pytest.param(
-            WITHOUT["counts"]._replace(requests=("ph", "")), "a posted request is told as done, and failed", id="count"
+            sessions.Rules(requests=("w", "w"), numbers=1, proves=False), "reported as done", id="proves, reset"
+        ),
+        pytest.param(
+            sessions.Rules(requests=("w", "www"), proof=False), "reported as not executed, but executed", id="proof"
+        ),
+        pytest.param(WITHOUT["fate"]._replace(requests=("ew", "")), "reported as done, but failed", id="fate"),
+        pytest.param(
+            WITHOUT["counts"]._replace(requests=("ph", "")),
+            "a posted request is reported as done, but failed",
+            id="count",
         ),
         pytest.param(WITHOUT["kept"]._replace(requests=("qq", "")), "a word is lost", id="kept"),
         pytest.param(WITHOUT["spaced"]._replace(requests=("qq", ""), places=1), "a word is lost", id="spaced"),
@@ -205,12 +211,12 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
         ),
     ],
 )
-def test_two_hosts_on_one_line_are_told_wrong_without(rules: sessions.Rules, fault: str) -> None:
+def test_two_hosts_on_one_line_get_wrong_outcomes_without_a_rule(rules: sessions.Rules, fault: str) -> None:
     found = sessions.explored(rules, fault)
     assert found.fault is not None, str(found)
 
 
-# The same over datagrams
+# Two hosts over datagrams
 
 
 @pytest.mark.slow
@@ -225,7 +231,7 @@ def test_two_hosts_on_one_line_are_told_wrong_without(rules: sessions.Rules, fau
         pytest.param(datagrams.Rules(sessions=1, beginnings=1, datagrams=8), marks=campaign),
     ],
 )
-def test_late_doubled_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules) -> None:
+def test_late_duplicated_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules) -> None:
     assert_holds(datagrams.explored(rules))
 
 
@@ -234,28 +240,28 @@ def test_late_doubled_and_reordered_datagrams_do_no_harm(rules: datagrams.Rules)
     [
         ("request 0 is executed twice", 10),
         ("the answer of request 0 is taken for that of 4", 11),
-        ("request 2 is told as executed, and was not", 9),
+        ("request 2 is reported as executed, but was not", 9),
     ],
 )
-def test_datagrams_without_session_and_count_are_taken_for_those_of_a_later_lap(fault: str, steps: int) -> None:
+def test_datagrams_without_a_header_are_taken_for_later_ones(fault: str, steps: int) -> None:
     assert_fails(datagrams.explored(datagrams.Rules(Naming.NOT_AT_ALL, datagrams=6), fault), fault, steps)
 
 
-def test_a_late_opening_ends_the_session_where_the_host_alone_names_it() -> None:
+def test_a_late_opening_ends_the_session_if_hosts_choose_its_number() -> None:
     found = datagrams.explored(datagrams.Rules(Naming.BY_HOST, resets=0))
     assert_fails(found, "request 0 is executed twice", 12)
 
 
-def test_a_session_comes_back_after_a_reset_where_the_gateway_counts_them() -> None:
+def test_a_session_number_repeats_after_a_reset_if_the_gateway_counts() -> None:
     assert_fails(datagrams.explored(datagrams.Rules(Naming.COUNTED)), "request 0 is executed twice", 12)
 
 
-def test_a_host_that_begins_anew_from_the_same_port_opens_the_same_session_twice() -> None:
+def test_a_host_that_begins_again_from_one_port_opens_a_session_twice() -> None:
     found = datagrams.explored(datagrams.Rules(new_ports=False))
     assert_fails(found, "the answer of request 0 is taken for that of 1", 13)
 
 
-def test_a_datagram_that_is_late_by_half_of_all_counts_is_taken_for_a_new_one() -> None:
+def test_a_datagram_late_by_half_of_the_counts_is_taken_for_a_new_one() -> None:
     rules = datagrams.Rules(sessions=1, datagrams=7, resets=0, counts=8, first_count=6)
     assert_fails(datagrams.explored(rules), "request 0 is executed twice", 14)
 
@@ -271,12 +277,12 @@ def test_a_datagram_that_is_late_by_half_of_all_counts_is_taken_for_a_new_one() 
         pytest.param(groups.Rules(holders=5, buffered=4, in_line=4, resets=2), marks=campaign),
     ],
 )
-def test_no_sample_of_a_former_life_reaches_the_next_holder(rules: groups.Rules) -> None:
+def test_no_sample_of_an_earlier_holder_reaches_the_next_one(rules: groups.Rules) -> None:
     assert_holds(groups.explored(rules))
 
 
 @pytest.mark.parametrize(("stops", "steps"), [(True, 23), (False, 19)])
-def test_samples_reach_the_next_holder_where_responses_may_overtake_them(*, stops: bool, steps: int) -> None:
+def test_samples_reach_the_next_holder_if_responses_overtake_them(*, stops: bool, steps: int) -> None:
     found = groups.explored(groups.Rules(in_order=False, stops=stops))
     assert_fails(found, "a sample for holder 0 reaches holder 1", steps)
 
@@ -284,18 +290,18 @@ def test_samples_reach_the_next_holder_where_responses_may_overtake_them(*, stop
 # Half-duplex
 
 
-def test_on_a_half_duplex_line_only_one_sends_at_a_time() -> None:
+def test_only_one_side_sends_at_a_time_on_a_half_duplex_line() -> None:
     assert_holds(half_duplex.explored(half_duplex.Rules()))
 
 
 @pytest.mark.parametrize(
     ("rules", "steps"),
     [
-        pytest.param(half_duplex.Rules(waits=False), 4, id="an answer is not waited for"),
+        pytest.param(half_duplex.Rules(waits=False), 4, id="the host does not wait"),
         pytest.param(half_duplex.Rules(kinds="p"), 4, id="a posted request fails"),
-        pytest.param(half_duplex.Rules(response_last=False), 6, id="a sample comes behind the response"),
+        pytest.param(half_duplex.Rules(response_last=False), 6, id="a sample after the response"),
         pytest.param(half_duplex.Rules(patient=False), 5, id="an answer is given up while it may come"),
     ],
 )
-def test_both_send_at_once_where(rules: half_duplex.Rules, steps: int) -> None:
+def test_both_sides_send_at_once_without_a_rule(rules: half_duplex.Rules, steps: int) -> None:
     assert_fails(half_duplex.explored(rules), "both send at once", steps)

@@ -1,6 +1,6 @@
 """Run seeds of the simulation: ``python -m simulation FIRST [COUNT]``, from the directory of the tests.
 
-A world that fails is told as a story, and the program ends with 1. The last lines are what was injected.
+The command prints a trace for each failing scenario and exits with status 1. The last lines list the injected faults.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from simulation.world import run_seed
 
 
 def say(*lines: str) -> None:
-    """Write lines at once."""
+    """Write lines and flush them."""
     sys.stdout.writelines(f"{line}\n" for line in lines)
     sys.stdout.flush()
 
 
 def main() -> int:
     """Run the seeds that the command line names."""
-    parser = argparse.ArgumentParser(prog="python -m simulation", description="Run worlds of the simulation.")
+    parser = argparse.ArgumentParser(prog="python -m simulation", description="Run scenarios of the simulation.")
     parser.add_argument("first", type=int, help="the first seed")
-    parser.add_argument("count", type=int, nargs="?", default=1, help="how many seeds")
-    parser.add_argument("--stories", type=int, default=3, help="most failures that are told in full")
+    parser.add_argument("count", type=int, nargs="?", default=1, help="number of seeds")
+    parser.add_argument("--stories", type=int, default=3, help="largest number of failures that are printed in full")
     parser.add_argument("--json", action="store_true", help="print the report for programs")
-    parser.add_argument("--trace", action="store_true", help="print all that happens")
+    parser.add_argument("--trace", action="store_true", help="print all events")
     parser.add_argument("--build", action="append", default=[], help="a build of the gateware to run on, compiled")
     parser.add_argument("--nodes", action="store_true", help="the gateways are nodes that share a half-duplex line")
     options = parser.parse_args()

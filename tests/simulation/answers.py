@@ -1,11 +1,11 @@
-"""The order of the answers on a line on which nothing is lost: that of the requests, as from a gateway alone."""
+"""The order of answers on a line without losses: that of the requests, as from a gateway with one client."""
 
 from __future__ import annotations
 
 import re
 from typing import TYPE_CHECKING
 
-from simulation.oracle import WorldError
+from simulation.oracle import RuleError
 from unity_link.protocol.wire.compact import text_of
 
 if TYPE_CHECKING:
@@ -20,23 +20,23 @@ class Answers:
     """The answers on one line.
 
     Args:
-        line: its name.
-        info: of the gateway.
+        line: name of the line.
+        info: configuration of the gateway.
     """
 
     def __init__(self, line: str, info: GatewayInfo) -> None:
         digits = info.id_digits
         self._line, self._info = line, info
         self._under_way_size = 1 + info.session_digits + info.crc_bits // 4
-        """Characters of the answer to the question which session is under way."""
-        # Where there is no session, requests are refused in any order.
+        """Characters of the answer to a session query."""
+        # Requests may be refused in any order while there is no session.
         self._answer = re.compile(rb"(?!x[0-9A-F]{%d}0A)([g-z]+)([0-9A-F]{%d})" % (digits, digits))
         self._question = re.compile(rb"(h|ws)([0-9A-F]{%d})" % digits)
         self._ring = 16**digits
         self.begin()
 
     def begin(self) -> None:
-        """Begin on a new connection."""
+        """Start on a new connection."""
         self._rest = self._rest_asked = b""
         self._text_of, self._text_asked = (text_of(self._info, from_gateway=side) for side in (True, False))
         self._begin_session()
@@ -44,15 +44,15 @@ class Answers:
     def _begin_session(self) -> None:
         self._last = -1
         self._told = bytearray(self._ring)
-        """Which IDs of the last half of the ring were answered, or asked for again."""
+        """For each ID of the last half of the sequence space, 1 if it was answered or may be answered again."""
         self._posted = bytearray(self._ring)
-        """Which of them are those of posted writes."""
+        """For each of these IDs, 1 if its request is a posted write."""
 
     def take(self, data: bytes) -> None:
         """Take bytes that arrive at the program.
 
         Raises:
-            WorldError: where an answer comes behind one to a later request, and was not given before.
+            RuleError: if an answer that was not given before follows an answer to a later request.
         """
         *lines, self._rest = (self._rest + self._text_of(data)).split(b"\n")
         for line in lines:
@@ -62,9 +62,9 @@ class Answers:
                 self._take_answer(int(answer[2], 16), line)
 
     def take_asked(self, data: bytes) -> None:
-        """Take bytes that arrive from the program: by an ``h`` it may ask how an earlier request ended.
+        """Take bytes of the program: an `h` may query the outcome of an earlier request.
 
-        A posted write that is repeated asks the same, be it behind what is not answered yet.
+        A repeated posted write is such a query too, even after requests without an answer.
         """
         *lines, self._rest_asked = (self._rest_asked + self._text_asked(data)).split(b"\n")
         for line in lines:
@@ -83,14 +83,14 @@ class Answers:
         if self._is_ahead(number):
             self._last = number
         elif not self._told[number]:
-            raise WorldError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
+            raise RuleError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
         self._told[number] = 1
         opposite = (number + self._ring // 2) % self._ring
         self._told[opposite] = self._posted[opposite] = 0
 
 
 def judge_answers(trace: Iterable[tuple[object, ...]], gateways: dict[str, GatewayInfo]) -> None:
-    """Judge the answers on all lines for which a gateway is named, by what they have carried."""
+    """Check the answers on all lines for which a gateway is named, from the bytes in the trace."""
     answers = {line: Answers(line, info) for line, info in gateways.items()}
     takers = {f"{line}<": taker.take for line, taker in answers.items()}
     takers |= {f"{line}>": taker.take_asked for line, taker in answers.items()}

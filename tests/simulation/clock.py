@@ -1,8 +1,8 @@
-"""An event loop without an operating system: its time is simulated, and what it connects to is a `Network`.
+"""An event loop without an operating system: its time is simulated, and its connections lead to a `Network`.
 
-The clock stands still while there is work and jumps to the next timer when there is none. There is no selector, no
-socket and no thread, so a loop costs nothing to make and every run of the same program is the same to the byte.
-Drivers and servers use it as any loop of asyncio: `create_connection` and its sisters are the network's.
+The clock stops while callbacks are ready, and jumps to the next timer if there are none. There is no selector, no
+socket and no thread, so a loop is cheap to create, and every run of a program is identical to the byte.
+Drivers and servers use it as any loop of asyncio; `create_connection` and related methods use the network.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ _RESOLUTION = 1e-9
 
 
 class _Planned:
-    """A call that is planned: what asyncio's handles are, and a third of their cost.
+    """A planned call: it replaces asyncio's handles at a third of their cost.
 
     Args:
-        callback: what is called.
-        args: with what.
-        context: in which context.
-        at: when, at the earliest.
+        callback: function to call.
+        args: arguments of the call.
+        context: context of the call.
+        at: earliest time of the call, in seconds.
     """
 
     __slots__ = ("args", "at", "callback", "context", "is_cancelled")
@@ -50,7 +50,7 @@ class _Planned:
         self.args = ()
 
     def cancelled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return true if the call was cancelled."""
         return self.is_cancelled
 
     def when(self) -> float:
@@ -59,39 +59,39 @@ class _Planned:
 
 
 MOST_TURNS = 100_000
-"""Turns of the loop at one instant, after which time stands still."""
+"""Number of turns of the loop at one instant after which the run is aborted."""
 
 
 class LivelockError(Exception):
-    """Callbacks go on for ever while no time passes."""
+    """Callbacks run without end while no time passes."""
 
 
 class SimulatedLoop(asyncio.BaseEventLoop):
-    """The loop of one world."""
+    """The event loop of one scenario."""
 
     network: Network
     _ready: deque[_Planned]
-    # Of asyncio's own.
+    # Declared by asyncio.BaseEventLoop.
     _stopping: bool
 
     def __init__(self) -> None:
         super().__init__()
         self._now = 0.0
         self._timers: list[tuple[float, int, _Planned]] = []
-        """By when they are due; those of one instant in the order in which they were set."""
+        """Sorted by time; timers of one instant are sorted in the order in which they were set."""
         self._timers_set = 0
         self._turns = 0
-        """At this instant."""
+        """Turns at the present instant."""
 
     def time(self) -> float:
         """Return the simulated time in seconds."""
         return self._now
 
-    # Callbacks are kept as `_Planned`, which is all of a `Handle` that asyncio uses, and costs less.
+    # Calls are stored as `_Planned`, which has all members of `Handle` that asyncio uses, and costs less.
     def call_soon(  # type: ignore[override]
         self, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:
-        """Call in the next turn."""
+        """Call a function in the next turn."""
         planned = _Planned(callback, args, context, self._now)
         self._ready.append(planned)
         return planned
@@ -99,13 +99,13 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     def call_soon_threadsafe(  # type: ignore[override]
         self, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:
-        """Call in the next turn: there is no other thread."""
+        """Call a function in the next turn; there is no other thread."""
         return self.call_soon(callback, *args, context=context)
 
     def call_at(  # type: ignore[override]
         self, when: float, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:
-        """Call at an instant."""
+        """Call a function at an instant."""
         planned = _Planned(callback, args, context, when)
         self._timers_set += 1
         heappush(self._timers, (when, self._timers_set, planned))
@@ -114,16 +114,16 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     def call_later(  # type: ignore[override]
         self, delay: float, callback: Callable[..., object], *args: Any, context: Context | None = None
     ) -> _Planned:
-        """Call after some seconds."""
+        """Call a function after some seconds."""
         return self.call_at(self._now + delay, callback, *args, context=context)
 
     def _run_once(self) -> None:
-        """Run what is ready; where nothing is, jump to the next timer."""
+        """Run the ready callbacks; if there are none, jump to the next timer."""
         self._advance()
         ready, timers = self._ready, self._timers
         due = self._now + _RESOLUTION
         while timers and timers[0][0] < due:
-            # None is early, as it would be set again at once: two that do so in turn leave no time to pass.
+            # A timer never fires early: its callback would set it again at once, so time might never pass.
             self._now = max(self._now, timers[0][0])
             ready.append(heappop(timers)[2])
         for _ in range(len(ready)):
@@ -140,21 +140,21 @@ class SimulatedLoop(asyncio.BaseEventLoop):
                 )
 
     def _advance(self) -> None:
-        """Jump to the next timer where nothing is ready."""
+        """Jump to the next timer if no callback is ready."""
         timers = self._timers
         while timers and timers[0][2].is_cancelled:
             heappop(timers)
         if not self._ready and not self._stopping:
             if not timers:
-                raise DeadlockError(f"nothing is left to happen at {self._now} s of simulated time")
+                raise DeadlockError(f"no callback or timer is left at {self._now} s of simulated time")
             if timers[0][0] > self._now:
                 self._now, self._turns = timers[0][0], 0
         self._turns += 1
         if self._turns > MOST_TURNS:
-            raise LivelockError(f"time stands still at {self._now} s of simulated time")
+            raise LivelockError(f"time does not pass at {self._now} s of simulated time")
 
     def _process_events(self, event_list: tuple[()]) -> None:
-        """Do nothing: there are no events but timers."""
+        """Do nothing: the loop has no events but timers."""
 
     def _write_to_self(self) -> None:
         """Do nothing: no other thread wakes this loop."""
@@ -162,13 +162,13 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     def run_in_executor(  # type: ignore[override]
         self, executor: Any, func: Callable[..., Any], *args: Any
     ) -> asyncio.Future[Any]:
-        """Run at once what others give to a thread."""
+        """Run the function at once instead of in a thread."""
         future = self.create_future()
         future.set_result(func(*args))
         return future
 
     async def create_connection(self, protocol_factory: Any, host: Any = None, port: Any = None, **_: Any) -> Any:
-        """Connect over the network."""
+        """Connect through the network."""
         return await self.network.connect(protocol_factory, host, port)
 
     async def create_server(self, protocol_factory: Any, host: Any = None, port: Any = None, **_: Any) -> Any:
@@ -178,5 +178,5 @@ class SimulatedLoop(asyncio.BaseEventLoop):
     async def create_datagram_endpoint(
         self, protocol_factory: Any, local_addr: Any = None, remote_addr: Any = None, **_: Any
     ) -> Any:
-        """Open a socket in the network."""
+        """Open a datagram socket in the network."""
         return self.network.open_port(protocol_factory, local_addr, remote_addr)

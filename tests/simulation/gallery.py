@@ -1,8 +1,8 @@
-"""Known bugs, each put back into the living code, one at a time: the proof that the simulation can fail.
+"""The known-bug catalogue: each bug is put back into the code, one at a time, to prove that the simulation finds it.
 
-A bug that was found and mended is put back as it was. Some stand for a whole class: what the window, the sequence, the
-groups, the server or the model would do if one line of theirs were forgotten. `make campaign` puts each back and
-runs worlds until one of them breaks a rule.
+Fixed bugs are put back as they were. Other bugs represent a class of faults: one line of the window, the sequence, the
+groups, the server or the model is left out. `make campaign` puts back each bug and runs scenarios until one of them
+breaks a rule.
 """
 
 from __future__ import annotations
@@ -45,25 +45,23 @@ BUGS: list[Bug] = []
 UNSEEN = frozenset(
     {
         "samples in bursts reach the subscriber of another group",
-        "a reset is believed of a damaged request",
-        "a datagram of a former session is executed",
+        "a refusal of a damaged request is taken for a reset",
+        "a datagram of an earlier session is executed",
         "a server leaves rows of requests unanswered while the gateway is away",
     }
 )
-"""Bugs that no world shows. Tests of their own find them, in this order:
+"""Bugs that no scenario finds. Each has a test of its own, in this order:
 
-- `test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them`: bursts in worlds are of one group;
-- `test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names`: what a reset meets
-  is seldom damaged;
-- `test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken`: the checks of their frames have
-  that session in them as well;
-- `test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed`: a client asks
-  again, and is answered then.
+- `test_samples_of_two_groups_in_bursts_reach_their_subscriptions`: bursts in scenarios are of one group;
+- `test_a_refusal_of_a_damaged_request_does_not_cover_the_id_in_it`: requests during a reset are seldom damaged;
+- `test_replayed_datagrams_of_an_earlier_session_are_dropped`: the CRCs of their frames depend on the session too;
+- `test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed`: a client
+  retransmits its requests, which are then answered.
 """
 
 
 def bug(name: str) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[[pytest.MonkeyPatch], None]]:
-    """Put a function that puts a bug back into the gallery."""
+    """Return a decorator that adds a function, which puts a bug back, to the catalogue."""
 
     def keep(put_back: Callable[[pytest.MonkeyPatch], None]) -> Callable[[pytest.MonkeyPatch], None]:
         BUGS.append(Bug(name, put_back))
@@ -72,10 +70,10 @@ def bug(name: str) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[
     return keep
 
 
-# Found by this simulation and otherwise, and put back as they were
+# Bugs that this simulation or another test found, put back as they were
 
 
-@bug("a client that leaves while groups are restored costs the server its connection")
+@bug("a client that leaves while groups are restored ends the server's connection")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def start_again(self: Any, slot: Any) -> None:
         settings = slot.settings
@@ -126,7 +124,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "fence", forgetting)
 
 
-@bug("the exit of a lost link says nothing of posted writes")
+@bug("the exit of a lost link does not report posted writes")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def leave(self: Any, kind: Any, error: Any, trace: Any) -> None:
         try:
@@ -138,7 +136,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "__aexit__", leave)
 
 
-@bug("what belongs to a session waits for the next one")
+@bug("requests that belong to a session wait for the next one")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_drop_of_session", lambda self, error, events: None)
 
@@ -155,7 +153,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publishing.SampleReceiver, "restart", going_on)
 
 
-@bug("the time of samples goes back where the gateway was reset")
+@bug("the time of samples goes back after a reset of the gateway")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     start = publishing.Publishing.start
 
@@ -179,7 +177,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batches.BatchRun, "fail_part", ending)
 
 
-# Protocol 02: a gateway that was reset says so
+# Protocol 02: a reset gateway reports its reset
 
 
 @bug("a group's samples are taken before its settings are stored")
@@ -193,7 +191,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(group_table.GroupTable, "set_up", at_once)
 
 
-@bug("all that was under way at a reset is said not to be executed")
+@bug("all requests in flight at a reset are reported as not executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     unanswered = window.Window.unanswered
 
@@ -204,12 +202,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "unanswered", never)
 
 
-@bug("a request that was sent again before a reset is said not to be executed")
+@bug("a request retransmitted before a reset is reported as not executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(retransmission.Retransmission, "never_arrived_from", lambda self, refused: refused)
 
 
-@bug("a reset is told as an error of one request")
+@bug("a reset is reported as an error of one request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     receive_line = receiver.ResponseReceiver._receive_line
 
@@ -227,7 +225,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(receiver.ResponseReceiver, "_receive_line", taking)
 
 
-@bug("groups are not set up again behind a reset")
+@bug("groups are not set up again after a reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     start = group_table.GroupTable.start
 
@@ -244,16 +242,16 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared.SharedLink, "_gateway_was_reset", connection.Connection._gateway_was_reset)
 
 
-# Protocol 03: checks that have the session in them, fates, kept words
+# Protocol 03: CRCs with the session in them, stored outcomes, stored words
 
 
-@bug("a check does not have the session in it")
+@bug("a CRC does not depend on the session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (gateway_session, host_codec, reception):
         monkeypatch.setattr(module, "seed_of", lambda session, *, from_gateway: 0)
 
 
-@bug("a host in doubt does not ask whose the session is")
+@bug("a host in doubt sends no session query")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_query_session", lambda self: None)
 
@@ -266,7 +264,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_session_is_over", again)
 
 
-@bug("a program's session does not shut out what has no ID")
+@bug("requests without an ID are executed in a program's session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     begin = gateway_session.GatewaySession.begin
 
@@ -276,7 +274,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gateway_session.GatewaySession, "begin", for_all)
 
 
-@bug("a reset is believed of a damaged request")
+@bug("a refusal of a damaged request is taken for a reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     has_no_session = receiver.ResponseReceiver._has_no_session
 
@@ -296,12 +294,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_interrupted", lambda self, error, events: None)
 
 
-@bug("a request that failed is acknowledged where it is repeated")
+@bug("a repetition of a failed request is acknowledged")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reception.Sequence, "outcome", lambda self, number: 0)
 
 
-@bug("the fate of an earlier request is told")
+@bug("the outcome of an earlier request is reported")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     advance = reception.Sequence.advance
 
@@ -323,7 +321,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gateway_session.SessionState, "fail", uncounted)
 
 
-@bug("posted writes are told as done whatever the count of those that failed")
+@bug("posted writes are reported as done whatever the count of failures")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     told = window.Window.fence_answered
 
@@ -333,7 +331,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "fence_answered", believing)
 
 
-@bug("a gateway keeps fewer words of destructive reads than hosts count on")
+@bug("a gateway stores fewer words of destructive reads than hosts expect")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(gateway_session, "MOST_KEPT_WORDS", 4)
 
@@ -343,7 +341,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_overlaps", lambda self, source: False)
 
 
-# The window and the requests: what the host does
+# The window and the requests of the host
 
 
 @bug("writes are sent again in a new session")
@@ -354,7 +352,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(requests.Request, "again", again)
 
 
-@bug("a batch of reads goes on at another place in a new session")
+@bug("a batch of reads continues at another position in a new session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
         return batches.BatchPart(self._batch, offset, count) if self.command == "R" else None
@@ -362,7 +360,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batches.BatchRun, "again", again)
 
 
-@bug("what was not sent when the connection was lost is forgotten")
+@bug("requests not sent when the connection was lost are dropped")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     end_session = session.Session._end_session
 
@@ -373,13 +371,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_end_session", forgetting)
 
 
-@bug("requests that were under way are said not to be executed")
+@bug("requests in flight are reported as not executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     known = SimpleNamespace(UNKNOWN=Outcome.NOT_EXECUTED, EXECUTED=Outcome.EXECUTED, NOT_EXECUTED=Outcome.NOT_EXECUTED)
     monkeypatch.setattr(window, "Outcome", known)
 
 
-@bug("the window runs over the whole ring")
+@bug("the window covers the whole sequence space")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def room(self: Any, size: int, *, posted: bool = False) -> int:
         return (
@@ -391,7 +389,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "room", room)
 
 
-@bug("a repetition leaves out what nobody waits for")
+@bug("a retransmission leaves out cancelled requests")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def repeat(self: Any) -> None:
         for _, run, offset, count in self.window.repeat():
@@ -401,7 +399,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "_repeat", repeat)
 
 
-@bug("each answer to a repetition is taken for a sign of loss")
+@bug("each answer to a retransmission is taken for a sign of loss")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     answered = window.Window.answered
 
@@ -414,7 +412,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "answered", going_back)
 
 
-@bug("errors of posted writes are told to nobody")
+@bug("errors of posted writes are not reported")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(link.Link, "_note_posted", lambda self, failure: None)
 
@@ -428,7 +426,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(window.Window, "needs_fence", never)
 
 
-@bug("a task goes on in the middle of what its link is told")
+@bug("a task resumes while its link still processes an event")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     tell = flow.Flow._tell
 
@@ -439,7 +437,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(flow.Flow, "_tell", tell_and_wake)
 
 
-@bug("answers in order are taken without a look at their checks")
+@bug("answers in order are accepted without a check of their CRC")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def take_frame(self: Any, offset: int, frame: bytes, events: Any) -> bool:
         covered = frame[: -self.codec.framing.ending_size]
@@ -448,7 +446,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(requests.Request, "take_frame", take_frame)
 
 
-@bug("what waits for room is forgotten where an answer comes alone")
+@bug("requests waiting for space are dropped if an answer arrives alone")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     receive_alone = session.Session.receive_alone
 
@@ -462,7 +460,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(session.Session, "receive_alone", with_nothing_waiting)
 
 
-@bug("the timer is not set again after a repetition")
+@bug("the timer is not set again after a retransmission")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     tick = flow.Flow._tick
 
@@ -474,7 +472,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(flow.Flow, "_tick", once)
 
 
-@bug("an answer confirms what comes behind it")
+@bug("an answer confirms later requests")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     out_of_sequence = window.Window.out_of_sequence
     monkeypatch.setattr(
@@ -494,7 +492,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(batches.WordBatch, "put", turned)
 
 
-@bug("what is sent while the transport is full is dropped")
+@bug("frames sent while the transport is full are dropped")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     send = stream.Stream.send
 
@@ -520,7 +518,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 # Samples
 
 
-@bug("lost samples are counted one too few where the number goes round")
+@bug("one lost sample too few is counted when the number wraps")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     count_lost = publishing.SampleReceiver._count_lost
 
@@ -571,7 +569,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(reception.Sequence, "place", forgetting)
 
 
-@bug("a request is executed though one before it was lost")
+@bug("a request is executed although an earlier one was lost")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     place = reception.Sequence.place
 
@@ -617,12 +615,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 # Datagrams
 
 
-@bug("a datagram is taken whether it is newer or not")
+@bug("a datagram is accepted even if it is not newer")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(datagrams.Counts, "takes", lambda self, count: True)
 
 
-@bug("a datagram of a former session is executed")
+@bug("a datagram of an earlier session is executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     take = gateway_datagrams.GatewayDatagrams.take
 
@@ -642,7 +640,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 # The server
 
 
-@bug("a server sends writes again to a gateway that comes back")
+@bug("a server repeats writes to a gateway that returns")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
         return self
@@ -655,7 +653,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(served_requests.RelayedRows, "refuse", lambda self, unsent: None)
 
 
-@bug("a server gives a slot away that still publishes for another client")
+@bug("a server reassigns a group that still publishes for another client")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def deliver(self: Any, text: bytes, owner: Any) -> None:
         self.begun.setdefault(text, group_table.HeldGroup(int(text, 16), b"", 0, owner))
@@ -664,7 +662,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(group_table.GroupTable, "drop", lambda self, text: None)
 
 
-@bug("a server hands a client's requests on in turns of one too many")
+@bug("a server passes answers to a row of requests on in their order of arrival")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def take_frames(self: Any, offset: int, count: int, frames: bytes) -> None:
         self._early[self.answered] = (count, frames)
@@ -673,12 +671,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(served_requests.RelayedRows, "take_frames", take_frames)
 
 
-@bug("a server answers what it refuses before what is under way")
+@bug("a server answers refused requests before requests in flight")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(client.Client, "say", lambda self, frame: self.write(frame))
 
 
-@bug("a server takes a client's numbers for its own")
+@bug("a server numbers the samples of a client one too high")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     begin = served_groups.ClientGroup.begin
 

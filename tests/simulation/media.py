@@ -1,8 +1,8 @@
-"""The simulation's programs and its oracle on real media: ``python -m simulation.media REQUESTS [MEDIUM ...]``.
+"""The simulation's programs and oracle on real media: ``python -m simulation.media REQUESTS [MEDIUM ...]``.
 
-The operating system carries the bytes here, and time is real: sockets, pseudo-terminals, and the drivers' threads with
-a virtual FT232H. Between the medium and the gateway bytes are lost, damaged, doubled and held back, and the medium is
-cut again and again. A seed chooses what is asked and what is spoiled, but not when, so it does not repeat a run.
+The operating system carries the bytes, and time is real: sockets, pseudo-terminals, and the drivers' threads with a
+virtual FT232H. Between medium and gateway, bytes are lost, damaged, duplicated and delayed, and the medium is
+disconnected repeatedly. A seed determines the calls and the faults but not their times, so a run cannot be repeated.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import msgspec
 
-from simulation.oracle import Oracle, Tap, WorldError
+from simulation.oracle import Oracle, RuleError, Tap
 from simulation.plan import Draw
 from simulation.programs import Program
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
@@ -41,28 +41,28 @@ if TYPE_CHECKING:
     Serve = Callable[[Gateway], AbstractAsyncContextManager[str]]
 
 CHANCES = {"loss": 2e-4, "flip": 3e-4, "double": 2e-4, "stall": 5e-5}
-"""Probabilities for each byte, on both ways."""
+"""Probabilities for each byte, in both directions."""
 BETWEEN_CUTS = 0.7
 AWAY = 0.02
 SIDE_BY_SIDE = 12
-"""Programs that run at the same time, each with a gateway of its own."""
+"""Number of programs that run concurrently, each with a gateway of its own."""
 SETTLED_AFTER = 300.0
 _CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
 
 
 class _LoopClock(RealClock):
-    """The clock of the event loop, by which the oracle compares."""
+    """The clock of the event loop, which the oracle uses for comparisons."""
 
     def now(self) -> float:
-        """Return the time."""
+        """Return the time in seconds."""
         return time.monotonic()
 
 
 class Media:
-    """The media, each by its name, with places of their own for any number of gateways.
+    """The media by their names, with separate places for any number of gateways.
 
     Args:
-        directory: for sockets and links to terminals.
+        directory: folder for sockets and links to terminals.
     """
 
     names = ("tcp", "unix", "udp", "pty", "ft232h")
@@ -74,12 +74,12 @@ class Media:
 
     @contextlib.contextmanager
     def plugged(self) -> Iterator[None]:
-        """Show the virtual bus to the drivers of the FT232H, in the block."""
+        """Make the virtual bus visible to the drivers of the FT232H within the block."""
         with installed(self._bus):
             yield
 
     def place(self, medium: str) -> Serve:
-        """Return what serves a gateway at a place of its own, again and again."""
+        """Return a function that serves a gateway at a place of its own, any number of times."""
         name = f"{medium}{next(self._numbers)}"
         path = self._directory / name
         if medium == "tcp":
@@ -95,7 +95,7 @@ class Media:
         return self._chip(name)
 
     def _chip(self, serial: str) -> Serve:
-        """Return what plugs in an FT232H, and unplugs it."""
+        """Return a function that connects an FT232H for the duration of a block."""
         plugged: list[VirtualFt232h] = []
 
         @contextlib.asynccontextmanager
@@ -123,7 +123,7 @@ def _free_port(kind: socket.SocketKind) -> int:
 
 
 class Result:
-    """Result on one medium."""
+    """Counts of the runs on one medium."""
 
     def __init__(self) -> None:
         self.requests = self.programs = self.cuts = self.reconnections = self.repetitions = self.damaged_frames = 0
@@ -133,7 +133,7 @@ class Result:
 
 
 class _Run:
-    """Programs of one seed after the other on one medium."""
+    """Programs of successive seeds on one medium."""
 
     def __init__(self, media: Media, medium: str, result: Result) -> None:
         self._media = media
@@ -141,10 +141,10 @@ class _Run:
         self._result = result
 
     async def run(self, seed: int) -> None:
-        """Run the first program that a seed draws, and judge it."""
+        """Run the first program of a seed's plan, and check it."""
         plan = Draw(seed).plan()
         model = VirtualGateway(msgspec.structs.replace(plan.gateways[0].info, **_CRC_32))
-        # A gateway that can't be driven on time, as on a busy machine, is behind the clock.
+        # On a busy machine the gateway may be driven late, so its own clock may be late.
         tap = Tap(model, [], "gateway", time.monotonic)
         line = NoisyLine(cast("Gateway", tap), Noise(2 * seed, **CHANCES), Noise(2 * seed + 1, **CHANCES))
         logs: list[LinkLog] = []
@@ -159,7 +159,7 @@ class _Run:
             async with asyncio.timeout(SETTLED_AFTER):
                 await program.run()
         except TimeoutError:
-            raise WorldError("a program that waits for ever", f"seed {seed} on {self._medium}") from None
+            raise RuleError("a program that waits without end", f"seed {seed} on {self._medium}") from None
         finally:
             serving.cancel()
             await asyncio.wait({serving})
@@ -173,7 +173,7 @@ class _Run:
             result.damaged_frames += link.statistics.damaged_frames
 
     async def _serve(self, line: Gateway, tap: Tap, ready: asyncio.Future[str]) -> None:
-        """Serve, and cut: every other time the gateway is reset, too."""
+        """Serve and disconnect repeatedly; every second time the gateway is reset too."""
         serve = self._media.place(self._medium)
         for number in itertools.count():
             async with serve(line) as url:
@@ -187,10 +187,10 @@ class _Run:
 
 
 async def run_medium(medium: str, requests: int, first: int = 0) -> Result:
-    """Run programs on a medium until they have made so many requests.
+    """Run programs on a medium until they have made `requests` requests.
 
     Raises:
-        WorldError: where a rule was broken.
+        RuleError: if a rule is broken.
     """
     result, seeds = Result(), itertools.count(first)
     with tempfile.TemporaryDirectory() as directory:
@@ -201,7 +201,7 @@ async def run_medium(medium: str, requests: int, first: int = 0) -> Result:
                 seed = next(seeds)
                 try:
                     await _Run(media, medium, result).run(seed)
-                except WorldError as error:
+                except RuleError as error:
                     error.add_note(f"seed {seed} on {medium}")
                     raise
 
@@ -213,10 +213,10 @@ async def run_medium(medium: str, requests: int, first: int = 0) -> Result:
 
 
 def main() -> int:
-    """Run what the command line says."""
+    """Run the media that the command line names."""
     parser = argparse.ArgumentParser(prog="python -m simulation.media", description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("requests", type=int, help="how many on each medium")
-    parser.add_argument("media", nargs="*", choices=[[], *Media.names], help="all, if none is named")
+    parser.add_argument("requests", type=int, help="number of requests on each medium")
+    parser.add_argument("media", nargs="*", choices=[[], *Media.names], help="media; all if none is named")
     parser.add_argument("--first", type=int, default=0, help="the first seed")
     options = parser.parse_args()
     for medium in options.media or Media.names:

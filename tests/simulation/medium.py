@@ -1,11 +1,11 @@
-"""The line between a host and what it connects to: bytes that are late, in pieces, lost, damaged or doubled, and cut.
+"""The line between a host and its peer: bytes are late, split, lost, damaged, duplicated, and connections are cut.
 
-Or datagrams, which are lost, damaged, doubled and late, each by itself.
+Datagrams are lost, damaged, duplicated and late, each by itself.
 
-A `Network` connects by name. The last part of a host name is who listens, the whole of it is the line: a program that
-opens ``tcp://p3.server0:1`` and one that opens ``tcp://p4.server0:1`` reach the same server over lines of their own.
-A line outlives its connections: its two `Course`s count the bytes that were ever carried, and a fault is bound to one
-byte of them. So a story has the same faults in the same places however it is cut short.
+A `Network` connects by name. The last part of a host name is the listener, the whole name is the line: two programs
+that open ``tcp://p3.server0:1`` and ``tcp://p4.server0:1`` reach the same server over lines of their own.
+A line outlives its connections: its two `Course` objects count all bytes that were ever carried, and a fault belongs to
+one byte number. So a shortened scenario has the same faults at the same bytes.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
 HIGH = 65_536
-"""Bytes that wait in a connection at which its writer is told to pause; at a quarter it may go on."""
+"""Bytes waiting in a connection at which its writer has to pause; it may resume at a quarter of them."""
 NEVER = 1 << 62
 Address = tuple[str, int]
 STRETCH, IN_PIECES = 1_000, 250
-"""Bytes of a stretch of a line that cuts them, and how many first bytes of each arrive in pieces."""
+"""Bytes in a stretch of a line that splits them, and the number of bytes at its start that arrive in pieces."""
 
 
 TEXTS = (
@@ -36,9 +36,9 @@ TEXTS = (
     b"\x00" * 60,
     b"R40\rH\rRM4002\rQ\r",
 )
-"""Lines of boot loaders, consoles, noise and a person: nothing in them changes anything."""
+"""Texts of boot loaders, consoles, noise and a person; none of them changes the state of a gateway."""
 WRITES = b"W40000000FF\rW400000000FF\rWS41000000FF\rWS410000000FF\r"
-"""Writes as a person types them, of words of 32 and of 36 bits: `typed`."""
+"""Writes as a person types them, for words of 32 and of 36 bits (fault `typed`)."""
 _OPENING = re.compile(rb"K[0-9A-F]{6}")
 
 
@@ -47,29 +47,29 @@ class Fault(NamedTuple):
 
     line: str
     back: bool
-    """True if it is on the way from the gateway to the host."""
+    """True for the direction from the gateway to the host."""
     at: int
-    """Number of the byte, counted since the world began."""
+    """Number of the byte since the start of the scenario."""
     kind: str
-    """``lose``, ``flip``, ``double``, ``text``, ``typed``, ``stall`` or ``cut``; for a datagram that has the byte
+    """``lose``, ``flip``, ``double``, ``text``, ``typed``, ``stall`` or ``cut``; for the datagram with the byte
     ``lose``, ``flip``, ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`; seconds for a stall, or until
-    the cut is noticed, or until a datagram or its copy comes."""
+    """Number of lost or duplicated bytes; inverted bits; index in `TEXTS`; seconds of a stall, until a cut is noticed,
+    or until a datagram or its copy arrives."""
 
 
 class Line(NamedTuple):
-    """A line as it is when nothing goes wrong."""
+    """A line without faults."""
 
     name: str
     latency: float
-    """Seconds that a byte takes."""
+    """Seconds that a byte takes to arrive."""
     piece: int
-    """Most bytes that arrive in one read, where they arrive in pieces."""
+    """Largest number of bytes in one read, if bytes arrive in pieces."""
     room: int
-    """Bytes that may wait to be carried before their writer is told to pause, if it names no other number."""
+    """Bytes that may wait before their writer has to pause, unless it sets another limit."""
     echoes: bool = False
-    """True if what the host sends comes back, too: its adapter listens while it sends."""
+    """True if the adapter also receives the bytes that it sends."""
 
 
 class Course:
@@ -80,19 +80,19 @@ class Course:
         self.position = 0
         self.fired = 0
         self.most_waiting = 0
-        """Most bytes that ever waited to be carried."""
+        """Largest number of bytes that ever waited to be carried."""
         self._faults = sorted(faults, key=lambda fault: -fault.at)
         self._losing = 0
         self._next = self._faults[-1].at if self._faults else NEVER
         self._trace = trace
 
     def calm(self) -> None:
-        """Let nothing go wrong any more."""
+        """Remove all later faults."""
         self._faults.clear()
         self._next, self._losing = NEVER, 0
 
     def carry(self, data: bytes, now: float) -> tuple[bytes, bytes, Fault | None]:
-        """Return what arrives of `data`, what has not been carried yet, and the fault that stopped it."""
+        """Return the part of `data` that arrives, the part that is not carried yet, and the fault that stopped it."""
         if self.position + len(data) <= self._next and not self._losing:
             self.position += len(data)
             return data, b"", None
@@ -132,12 +132,12 @@ class Course:
         return bytes(arrived), b"", None
 
     def _has_opened(self) -> bool:
-        """Return whether a session was asked for: before that, what a person types is executed."""
+        """Return true if a host has sent an opening: before that, a gateway executes typed commands."""
         carried = (entry[3] for entry in self._trace if entry[1:3] == (self.name, "carry"))
         return any(_OPENING.search(data) for data in carried)
 
     def scatter(self, datagram: bytes, now: float) -> list[tuple[float, bytes]]:
-        """Return what arrives of a datagram: each copy with the seconds by which it is late."""
+        """Return the copies of a datagram that arrive, each with its delay in seconds."""
         end = self.position + len(datagram)
         arriving = [] if self._losing else [(0.0, datagram)]
         self._losing = max(0, self._losing - len(datagram))
@@ -181,13 +181,13 @@ class _Socket:
 
 
 class End(asyncio.Transport):
-    """End of a connection that one side writes to, and that feeds the other."""
+    """End of a connection: one side writes to it, and the other side receives the bytes."""
 
     def __init__(self, network: Network, protocol: asyncio.BaseProtocol, line: Line, course: Course) -> None:
         super().__init__({"socket": _Socket(0)})
         self.peer: End
         self.listens = False
-        """True at the end of who listens."""
+        """True at the listener's end."""
         self.course = course
         self._network = network
         self._loop = network.loop
@@ -236,22 +236,22 @@ class End(asyncio.Transport):
         self._plan(self.line.latency)
 
     def write_eof(self) -> None:
-        """Do nothing: who hears the end of what is said hangs up anyway."""
+        """Do nothing: the other side closes the connection anyway."""
 
     def close(self) -> None:
-        """Carry what was written, and end."""
+        """Carry the written bytes, then end the connection."""
         self._ending = self._closing = True
         if not self._buffer:
             self.abort()
 
     def abort(self) -> None:
-        """End at once; the other side hears of it when a byte would have come there."""
+        """End at once; the other side is notified after the latency of a byte."""
         self._closing = True
         self._end(0.0)
         self.peer._end(self.line.latency)
 
     def drop(self) -> None:
-        """Lose what was written and has not arrived."""
+        """Lose the bytes that were written and have not arrived."""
         self._buffer.clear()
         if self._ending:
             self.abort()
@@ -260,12 +260,12 @@ class End(asyncio.Transport):
             self._protocol.resume_writing()
 
     def take(self, data: bytes) -> None:
-        """Take what arrives here from somewhere else."""
+        """Receive bytes that another host on the line has sent."""
         if not self._dead:
             self._protocol.data_received(data)
 
     def cut(self, noticed_after: float) -> None:
-        """End both sides, this one at once and the other later, as where a machine does not see that a cable is out."""
+        """End both sides, this one at once and the other one later, as if a machine noticed a broken cable late."""
         self._closing = self.peer._closing = True
         self._end(0.0)
         self.peer._buffer.clear()
@@ -323,13 +323,13 @@ class End(asyncio.Transport):
 
 
 class Port(asyncio.DatagramTransport):
-    """A socket for datagrams: of one who listens, or of a host, which sends to one address over its line.
+    """A datagram socket of a listener, or of a host, which sends to one address over its line.
 
     Args:
-        network: carries the datagrams.
-        protocol: takes what arrives.
-        address: of the socket.
-        remote: the address that a host sends to.
+        network: network that carries the datagrams.
+        protocol: receives arriving datagrams.
+        address: address of the socket.
+        remote: address to which a host sends.
     """
 
     def __init__(
@@ -350,13 +350,13 @@ class Port(asyncio.DatagramTransport):
         return self._closing
 
     def close(self) -> None:
-        """Send and take nothing any more."""
+        """Stop sending and receiving."""
         if not self._closing:
             self.unplug()
             self._network.loop.call_soon(self.protocol.connection_lost, None)
 
     def unplug(self) -> None:
-        """Send and take nothing any more, without a word to the protocol."""
+        """Stop sending and receiving, without notifying the protocol."""
         self._closing = True
         if self._network.ports.get(self._address) is self:
             del self._network.ports[self._address]
@@ -376,17 +376,17 @@ class _Listener:
         self._network.listeners.pop(self._place, None)
 
     async def wait_closed(self) -> None:
-        """Do nothing: nothing is left."""
+        """Do nothing: the listener has no open tasks."""
 
 
 class Network:
-    """All lines of a world.
+    """All lines of a scenario.
 
     Args:
-        loop: whose time counts.
-        lines: by their names.
-        faults: of all lines.
-        trace: takes what happens.
+        loop: event loop with the simulated time.
+        lines: the lines.
+        faults: faults of all lines.
+        trace: receives the events.
     """
 
     def __init__(
@@ -396,13 +396,13 @@ class Network:
         self.trace = trace
         self.listeners: dict[tuple[str, int], Callable[[], asyncio.BaseProtocol]] = {}
         self.away: set[str] = set()
-        """Those who listen and can't be reached now."""
+        """Names of listeners that are unreachable at present."""
         self.open: dict[End, str] = {}
-        """Ends of connections at those who listen, and who it is."""
+        """Listeners' ends of open connections, with the name of the listener."""
         self.ports: dict[Address, Port] = {}
-        """Sockets for datagrams; those of hosts are at their line, and each has a number of its own."""
+        """Datagram sockets; a host's address is its line with a number of its own."""
         self.connections: Counter[str] = Counter()
-        """Connections that were made on each line."""
+        """Number of connections made on each line."""
         self.on_return: Callable[[Line], None] = lambda _: None
         """Called when a line is connected again."""
         self._lines = {line.name: line for line in lines}
@@ -417,14 +417,14 @@ class Network:
         }
 
     def listen(self, factory: Callable[[], asyncio.BaseProtocol], host: str, port: int) -> _Listener:
-        """Wait for connections."""
+        """Listen for connections."""
         self.listeners[host, port] = factory
         return _Listener(self, host, port)
 
     async def connect(
         self, factory: Callable[[], asyncio.BaseProtocol], host: str, port: int
     ) -> tuple[End, asyncio.BaseProtocol]:
-        """Connect to who listens."""
+        """Connect to a listener."""
         line, name = self._lines[host], host.rpartition(".")[2]
         await asyncio.sleep(2 * line.latency)
         listener = self.listeners.get((name, port))
@@ -447,7 +447,7 @@ class Network:
     def open_port(
         self, factory: Callable[[], asyncio.DatagramProtocol], local: Address | None, remote: Address | None
     ) -> tuple[Port, asyncio.DatagramProtocol]:
-        """Open a socket for datagrams: at a local address, or at any, for one remote address."""
+        """Open a datagram socket: at a local address, or at any address for one remote address."""
         address = local
         if address is None:
             assert remote is not None
@@ -461,7 +461,7 @@ class Network:
         return port, protocol
 
     def post(self, source: Address, target: Address, datagram: bytes, *, back: bool) -> None:
-        """Carry a datagram, if the line does."""
+        """Send a datagram over the line, which may lose it."""
         name = (target if back else source)[0]
         line, course = self._lines[name], self.courses[name, back]
         if not back:
@@ -476,13 +476,13 @@ class Network:
             port.protocol.datagram_received(datagram, source)
 
     def unplug(self, address: Address) -> None:
-        """Let an address send and take no datagrams any more."""
+        """Stop an address from sending and receiving datagrams."""
         port = self.ports.get(address)
         if port is not None:
             port.unplug()
 
     def cut(self, name: str) -> None:
-        """Cut all connections to one who listens."""
+        """Cut all connections to a listener."""
         for end in [end for end, listener in self.open.items() if listener == name]:
             end.cut(0.0)
 
@@ -492,16 +492,16 @@ class Network:
             end.cut(0.0)
 
     def intrude(self, line: str, data: bytes) -> None:
-        """Let another host on a line send something to who listens at its end."""
+        """Send data to the listener of a line, as another host on the line."""
         for end in [end for end in self.open if end.line.name == line]:
             end.take(data)
 
     def drop(self, name: str) -> None:
-        """Lose what one who listens has sent and has not arrived."""
+        """Lose the bytes that a listener has sent and that have not arrived."""
         for end in [end for end, listener in self.open.items() if listener == name]:
             end.drop()
 
     def calm(self) -> None:
-        """Let nothing go wrong any more."""
+        """Remove all later faults."""
         for course in self.courses.values():
             course.calm()

@@ -1,4 +1,4 @@
-"""The line that nodes share in a world: what is sent on it is lost, damaged and doubled as the plan has it."""
+"""The line that nodes share in a scenario: bytes on it are lost, damaged and duplicated as planned."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ class Wire(SharedLine):
     """A line with gateways on it.
 
     Args:
-        gateways: by the numbers of their nodes.
-        baud: of the line.
-        network: whose courses spoil what is sent.
+        gateways: the gateways by their node numbers.
+        baud: bit rate of the line.
+        network: network whose courses apply the faults.
     """
 
     def __init__(self, gateways: Mapping[int, Gateway], baud: int, network: Network) -> None:
@@ -30,15 +30,15 @@ class Wire(SharedLine):
 
     @property
     def was_disturbed(self) -> bool:
-        """Return whether something has happened to what was sent."""
+        """Return true if a fault has affected any bytes."""
         return any(self._network.courses[WIRE, back].fired for back in (False, True))
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Send bytes as the host; return what has arrived from the nodes."""
+        """Send bytes as the host; return the bytes that have arrived from the nodes."""
         return super().receive(self._carry(data, now, back=False), now)
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return what has arrived."""
+        """Let time pass, and return the bytes that have arrived."""
         return self._carry(super().advance(now, room), now, back=True)
 
     def _carry(self, data: bytes, now: float, *, back: bool) -> bytes:

@@ -1,8 +1,8 @@
-"""The oracle: what each gateway executed and published, what each program asked and was told, and whether they agree.
+"""The oracle compares the accesses and samples of each gateway with the calls of each program and their results.
 
-Each word that is written is written once in a world, and says its address; each word that is read says its address,
-too, and either which write it comes from, or at which instant it was read. So a wrong address, an old value, a write
-that was executed twice or not at all, and a sample of another group are all to be seen from the values alone.
+Each written word is unique in a scenario and contains its address. Each word that is read contains its address, and
+either the write that it comes from or the instant at which it was read. So the values alone reveal a wrong address, an
+old value, a write that was executed twice or not at all, and a sample of another group.
 """
 
 from __future__ import annotations
@@ -27,51 +27,51 @@ if TYPE_CHECKING:
 
 _COUNT = (1 << ADDRESS_SHIFT) - 1
 _SLACK = 1e-6
-"""Seconds by which two instants that are the same may differ."""
+"""Seconds by which equal instants may differ."""
 _MOST_DOUBLED = 4
-"""Samples, in compact form, that the bytes have at most which a line doubles at a time."""
+"""Largest number of samples in compact form within the bytes that a line duplicates at a time."""
 
 
 MOST_WAITING = 131_072
-"""Bytes that may wait at one end of a connection: what a transport takes before it asks to pause, and what is told
-then."""
+"""Bytes that may wait at one end of a connection: the limit at which a transport pauses its writer, plus the bytes of
+the last write."""
 
 
-class WorldError(AssertionError):
-    """Violation that the oracle found. `kind` is the rule that was broken."""
+class RuleError(AssertionError):
+    """A rule that the oracle found broken; `kind` names the rule."""
 
     def __init__(self, kind: str, text: str) -> None:
         super().__init__(f"{kind}: {text}")
         self.kind = kind
 
 
-# What the gateways did
+# Accesses and samples of the gateways
 
 
 class Recorder:
-    """The device behind all addresses of a gateway: it keeps every access with its instant.
+    """The device at all addresses of a gateway: it records every access with its instant.
 
     Args:
-        trace: takes what happens.
-        name: of the gateway.
+        trace: receives the events.
+        name: name of the gateway.
     """
 
     def __init__(self, trace: list[Any], name: str) -> None:
         self.name = name
         self.at: float | None = None
-        """The instant of all accesses that come next; None: that which the gateway gives for each."""
+        """Instant of all following accesses; None: the instant that the gateway passes with each access."""
         self.reading = 0.0
         """Seconds in which the words of a sample are read."""
         self.writes: list[tuple[float, int, int]] = []
-        """Instant, address and word of each write, also of those that failed."""
+        """Instant, address and word of each write, including failed ones."""
         self.places: dict[int, list[int]] = defaultdict(list)
-        """Places of each word in `writes`."""
+        """Indices in `writes` for each word."""
         self.history: dict[int, list[tuple[float, int]]] = {}
-        """For each address since when it had which word."""
+        """For each address the instants of its writes, with the words."""
         self.instants: list[float] = []
-        """Instants at which the words that name instants were read."""
+        """Instants of the reads of words that identify instants."""
         self.popped: dict[int, list[float]] = defaultdict(list)
-        """For each queue when its words were taken."""
+        """For each queue the instants at which its words were taken."""
         self.reads: dict[int, list[float]] = defaultdict(list)
         """Instants at which each other address was read."""
         self._trace = trace
@@ -79,7 +79,7 @@ class Recorder:
         self._numbers: dict[tuple[int, float], int] = {}
 
     def read(self, offset: int, now: float) -> int:
-        """Return the word of an address."""
+        """Return the word at an address."""
         now = now if self.at is None else self.at
         if offset in LIVE or offset in BURSTS:
             return offset << ADDRESS_SHIFT | self._number(offset, now)
@@ -93,7 +93,7 @@ class Recorder:
         return self._words.get(offset, offset << ADDRESS_SHIFT)
 
     def _number(self, offset: int, now: float) -> int:
-        """Return the number of an access to a word that names it; no two to the same word have the same."""
+        """Return the number of an access to a word that contains it; no two accesses to a word have the same number."""
         if offset in BURSTS:
             if (turn := int(now / BURST)) + offset & 1:
                 now = turn * BURST
@@ -104,7 +104,7 @@ class Recorder:
         return len(self.instants) - 1
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Take a word."""
+        """Store a word."""
         now = now if self.at is None else self.at
         self._trace.append((now, self.name, "write", offset, value))
         self.places[value].append(len(self.writes))
@@ -115,7 +115,7 @@ class Recorder:
         self.history.setdefault(offset, [(-1.0, offset << ADDRESS_SHIFT)]).append((now, value))
 
     def had(self, address: int, word: int, since: float, until: float) -> bool:
-        """Return whether an address held a word at some instant from `since` to `until`."""
+        """Return true if an address had a word at some instant from `since` to `until`."""
         history = self.history.get(address, ((-1.0, address << ADDRESS_SHIFT),))
         for place, (written, value) in enumerate(history):
             if value == word and written <= until + _SLACK:
@@ -124,32 +124,32 @@ class Recorder:
 
 
 class Published:
-    """Samples of one gateway, as they left the gateway.
+    """Samples of one gateway, as it sent them.
 
-    The gateway numbers its samples with two digits; here they are numbered on since the group was set up, its `life`.
+    The gateway numbers its samples with two digits; here they are numbered from each set-up of the group, its `life`.
     """
 
     def __init__(self) -> None:
         self.samples: dict[bytes, list[tuple[int, int]]] = defaultdict(list)
-        """By the digits of its words: the life of the group, the number in it."""
+        """For each text of words: the life of the group and the number of the sample in it."""
         self.last: dict[int, int] = {}
-        """By the life of a group: the number of its last sample."""
+        """For each life of a group: the number of its last sample."""
         self._lives = 0
         self._groups: dict[bytes, tuple[int, int]] = {}
         self._asked: set[bytes] = set()
         self._set_up: set[bytes] = set()
 
     def ask(self, group: bytes) -> None:
-        """Note that the gateway was asked to set up a group."""
+        """Record a request to set up a group."""
         self._asked.add(group)
 
     def answer(self) -> None:
-        """Note that a group was set up: what was published of it before is of its former life."""
+        """Record that the requested groups were set up: their earlier samples belong to their former life."""
         self._set_up |= self._asked
         self._asked.clear()
 
     def publish(self, group: bytes, sequence: int, text: bytes) -> None:
-        """Note a sample; before its words there may be 8 digits of a timestamp."""
+        """Record a sample; its words may follow the 8 digits of a timestamp."""
         life, last = self._groups.get(group, (-1, -1))
         step = sequence - last & 0xFF or 0x100
         if life < 0 or (group in self._set_up and step != 1):
@@ -163,14 +163,14 @@ class Published:
 
 
 class Tap:
-    """Stands before a gateway and sees what goes in and out.
+    """Observes the requests to a gateway and its answers.
 
     Args:
-        gateway: what stands behind it.
-        trace: takes what happens.
-        name: of the gateway.
-        clock: the programs' clock, for a gateway whose own is behind it or ahead of it; None: they are the same.
-        node: its number on a line that several share.
+        gateway: the gateway.
+        trace: receives the events.
+        name: name of the gateway.
+        clock: clock of the programs, if that of the gateway is behind or ahead of it; None: both are the same.
+        node: node number on a shared line.
     """
 
     open = Gateway.open
@@ -196,11 +196,11 @@ class Tap:
         self._after_id = len(self._set_up) + self.info.id_digits
         self._check = self.info.crc_bits // 4
         self._before = b""
-        """The last bytes that came in, for a frame that comes in several reads."""
+        """The last received bytes, for a frame that arrives in several reads."""
         self._after = b""
         """The beginning of a frame that is being sent."""
         self.openings = 0
-        """Number of sessions that were begun."""
+        """Number of opened sessions."""
         self._begin_forms()
 
     def _begin_forms(self) -> None:
@@ -265,14 +265,14 @@ class Tap:
                 if line[:2] == b"gs":
                     self.published.answer()
                 elif line[:1] == b"K":
-                    # The answer to the question which session is under way is shorter.
+                    # The answer to a session query is shorter.
                     self.openings += len(line) > 1 + self.info.session_digits + self._check
                 elif line[:1] == b"P":
                     self.published.publish(line[1:3], int(line[3:5], 16), line[5 : -self._check])
         return data
 
 
-# What the programs asked
+# Calls of the programs
 
 
 class Ask:
@@ -298,18 +298,18 @@ class Ask:
         self.number = number
         self.kind = kind
         self.words = words
-        """Address and word of each write, address and count of what is read."""
+        """Address and word of each write, or address and count of the words to read."""
         self.asked = asked
         self.task = asyncio.current_task()
         self.told: float | None = None
-        """Instant at which it ended; None while it has not."""
+        """Instant at which the call ended; None while it is pending."""
         self.error: BaseException | None = None
         self.answer: Any = None
         self.after: dict[int, int] | None = None
-        """Values that the program itself wrote last before, by address."""
+        """For a read, the values that the program itself had written last, by address."""
         self.cancelled = False
         self.ended = False
-        """True if the link had ended when it failed."""
+        """True if the link had ended when the call failed."""
 
     def __str__(self) -> str:
         words = ", ".join(f"{word:#x}" for _, word in self.words[:3])
@@ -317,34 +317,32 @@ class Ask:
 
 
 class LinkLog:
-    """All calls on one link, in their order."""
+    """All calls on one link, in order."""
 
     def __init__(self, name: str, recorder: Recorder, *, shared: bool, reconnect: bool, block_words: int) -> None:
         self.name = name
         self.recorder = recorder
         self.shared = shared
-        """True if there is a server between."""
+        """True if the link goes through a server."""
         self.reconnect = reconnect
         self.block_words = block_words
         self.refused = False
-        """True if the link does not come back: a server had no group left for its subscriptions, or another host has
-        taken the line.
-        """
+        """True if the link cannot return: a server had no free group, or another host took the line."""
         self.closed = False
         """True if the program has closed the link while its tasks ran."""
         self.opened = asyncio.get_running_loop().time()
-        """Instant at which the link was there."""
+        """Instant at which the link was open."""
         self.asks: list[Ask] = []
         self.listenings: list[Listening] = []
         self.post_failures: list[tuple[float, int, asyncio.Task[Any] | None]] = []
-        """Instant of each report of errors of posted writes, their number, and the task that was told."""
+        """Instant of each report of errors of posted writes, their number, and the task that received it."""
 
     def ended(self, link: Link) -> bool:
-        """Return whether there will be no session any more."""
+        """Return true if the link can have no further session."""
         return self.refused or self.closed or link._closed or (not self.reconnect and not link.connected)
 
     def ask(self, kind: str, words: Sequence[tuple[int, int]], now: float) -> Ask:
-        """Note a call."""
+        """Record a call."""
         ask = Ask(self, len(self.asks), kind, words, now)
         self.asks.append(ask)
         return ask
@@ -362,11 +360,11 @@ class Listening:
         self.arguments = arguments
         self.samples: list[Sample] = []
         self.lost: int | None = None
-        """Losses that the subscription counted, if it was read to its end."""
+        """Losses that the subscription counted, if the program read it to its end."""
         self.rate: float | None = None
 
 
-# Whether they agree
+# The comparison
 
 _WRITES = frozenset({"write", "write_masked", "write_block", "write_queue", "write_many", "post", "post_many"})
 POSTED = frozenset({"post", "post_many"})
@@ -375,10 +373,10 @@ _BLOCKS = frozenset({"write_block", "write_queue"})
 
 
 class Oracle:
-    """Judges a world that has ended."""
+    """Checks a scenario that has ended."""
 
     def judge(self, recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
-        """Raise `WorldError` where a rule was broken."""
+        """Raise `RuleError` if a rule was broken."""
         for log in logs:
             for ask in log.asks:
                 self._judge_call(ask)
@@ -394,11 +392,11 @@ class Oracle:
     def _judge_call(self, ask: Ask) -> None:
         error = ask.error
         if error is not None and not self._expected(ask, error):
-            raise WorldError("an unexpected error", f"{ask} raised {error!r}")
+            raise RuleError("an unexpected error", f"{ask} raised {error!r}")
         if ask.kind in _WRITES:
             failing = ask.kind not in POSTED and any(address in FAILING for address, _ in ask.words)
             if failing and error is None and ask.told is not None:
-                raise WorldError("a failed write reported as done", str(ask))
+                raise RuleError("a failed write reported as done", str(ask))
             if ask.kind not in POSTED:
                 self._judge_write(ask)
             for address, word in ask.words:
@@ -421,37 +419,37 @@ class Oracle:
     def _judge_once(self, ask: Ask, address: int, word: int) -> None:
         places = ask.link.recorder.places.get(word, ())
         if len(places) > 1:
-            raise WorldError("a write executed more than once", f"{ask}: {word:#x} {len(places)} times")
+            raise RuleError("a write executed more than once", f"{ask}: {word:#x} {len(places)} times")
         for place in places:
             if ask.link.recorder.writes[place][1] != address:
-                raise WorldError("a write to another address", f"{ask}: {word:#x}")
+                raise RuleError("a write to another address", f"{ask}: {word:#x}")
 
     def _judge_write(self, ask: Ask) -> None:
-        """Compare what a write was told with what was executed."""
+        """Compare the result of a write with its execution."""
         recorder, error = ask.link.recorder, ask.error
         executed = [recorder.places.get(word) for _, word in ask.words]
         must, must_not = _known(ask, error)
         if must and not all(executed):
             missing = next(word for (_, word), places in zip(ask.words, executed, strict=True) if not places)
-            raise WorldError("a write acknowledged and not executed", f"{ask}: {missing:#x} ({error!r})")
+            raise RuleError("a write acknowledged but not executed", f"{ask}: {missing:#x} ({error!r})")
         if must_not and any(executed):
-            raise WorldError("a write executed that was said not to be", f"{ask} ({error!r})")
+            raise RuleError("a write executed but reported as not executed", f"{ask} ({error!r})")
         if must and ask.told is not None:
             for places in executed:
                 when = recorder.writes[places[0]][0] if places else ask.asked
                 if not ask.asked - _SLACK <= when <= ask.told + _SLACK:
-                    raise WorldError("a write executed outside its call", f"{ask}: at {when}, told at {ask.told}")
+                    raise RuleError("a write executed outside its call", f"{ask}: at {when}, ended at {ask.told}")
 
     def _judge_read(self, ask: Ask) -> None:
-        """Check that each word that was read was there while it was asked for."""
+        """Check that each returned word was at its address during the call."""
         assert ask.told is not None
         recorder = ask.link.recorder
         if len(ask.answer) != len(ask.words):
-            raise WorldError("an answer of another length", f"{ask} gave {len(ask.answer)} words")
+            raise RuleError("an answer of another length", f"{ask} gave {len(ask.answer)} words")
         for (address, _), answer in zip(ask.words, ask.answer, strict=True):
             word = int(answer)
             if word >> ADDRESS_SHIFT != address:
-                raise WorldError("an answer of another address", f"{ask} of {address:#x} gave {word:#x}")
+                raise RuleError("an answer of another address", f"{ask} of {address:#x} gave {word:#x}")
             number = word & _COUNT
             if address in QUEUE_OUT:
                 taken = recorder.popped[address]
@@ -463,61 +461,61 @@ class Oracle:
             else:
                 good = recorder.had(address, word, ask.asked, ask.told)
             if not good:
-                raise WorldError("an answer from another time", f"{ask} of {address:#x} gave {word:#x} at {ask.told}")
+                raise RuleError("an answer from another time", f"{ask} of {address:#x} gave {word:#x} at {ask.told}")
             if ask.after and (mine := ask.after.get(address)) is not None:
                 self._judge_after(ask, address, word, mine)
 
     @staticmethod
     def _judge_others(ask: Ask) -> None:
-        """Check that a batch of reads goes on behind one that failed, and tells of that when all others are done."""
+        """Check that a batch of reads continues after a failed read, and raises when all reads are done."""
         assert ask.told is not None
         for address, _ in ask.words:
             reads = ask.link.recorder.reads[address]
             if address not in LIVE and not any(ask.asked - _SLACK <= when <= ask.told + _SLACK for when in reads):
-                raise WorldError("a read of a batch left out", f"{ask}: {address:#x}")
+                raise RuleError("a read of a batch left out", f"{ask}: {address:#x}")
 
     @staticmethod
     def _judge_after(ask: Ask, address: int, word: int, mine: int) -> None:
-        """Check that a read gives nothing older than what its own program wrote before it."""
+        """Check that a read does not return an older value than the one that its program wrote before it."""
         recorder = ask.link.recorder
         if mine in recorder.places and address in recorder.history:
             words = [value for _, value in recorder.history[address]]
             if mine in words and word in words and words.index(word) < words.index(mine):
-                raise WorldError("a read that overtook a write", f"{ask} gave {word:#x}, {mine:#x} was written before")
+                raise RuleError("a read that overtook a write", f"{ask} gave {word:#x}, {mine:#x} was written before")
 
     @staticmethod
     def _judge_old_word(ask: Ask) -> None:
         (address, word), recorder = ask.words[0], ask.link.recorder
         values = [value for _, value in recorder.history.get(address, ())]
         if ask.answer and word in values and values[values.index(word) - 1] != ask.answer[0]:
-            raise WorldError("a masked write that gave another old word", f"{ask}: {ask.answer[0]:#x}")
+            raise RuleError("a masked write that returned a wrong old word", f"{ask}: {ask.answer[0]:#x}")
 
     # Order
 
     def _judge_order(self, log: LinkLog) -> None:
-        """Check that writes were executed in the order of the calls, and those of each call in their order."""
+        """Check that writes were executed in the order of the calls, and the words of a call in order."""
         places, last, before = log.recorder.places, -1, None
         for ask in log.asks:
             if ask.kind not in _WRITES:
                 continue
             executed = [places[word][0] for _, word in ask.words if places.get(word)]
             if executed != sorted(executed):
-                raise WorldError("the writes of a call in another order", str(ask))
+                raise RuleError("the writes of a call in another order", str(ask))
             single = ask.kind in _SINGLE or (ask.kind in _BLOCKS and len(ask.words) <= log.block_words)
             if single and executed:
                 if executed[0] < last:
-                    raise WorldError("writes in another order", f"{ask} was executed before {before}")
+                    raise RuleError("writes in another order", f"{ask} was executed before {before}")
                 last, before = executed[-1], ask
 
     def _judge_posted(self, log: LinkLog) -> None:
-        """Check that a fence tells of each write that its task has posted, and the exit of all, unless it was done."""
+        """Check that a fence reports each failed write that its task has posted, and the exit those of all tasks."""
         posted = [ask for ask in log.asks if ask.kind in POSTED and ask.error is None and ask.told is not None]
         recorder = log.recorder
         for fence in log.asks:
             if fence.kind not in ("fence", "exit") or fence.told is None:
                 continue
             if fence.ended or (fence.error is not None and str(fence.error).startswith("fence")):
-                # It says nothing of what was posted.
+                # The error of such a fence is not about posted writes.
                 continue
             missing = 0
             for ask in posted:
@@ -534,9 +532,9 @@ class Oracle:
                 if when <= fence.told and (fence.kind == "exit" or task is fence.task)
             )
             if missing > reported:
-                raise WorldError(
+                raise RuleError(
                     "a posted write lost",
-                    f"{fence} was told at {fence.told}: {missing} calls are missing, {reported} were reported",
+                    f"{fence} ended at {fence.told}: {missing} calls are missing, {reported} were reported",
                 )
 
     # Samples
@@ -545,7 +543,7 @@ class Oracle:
         recorder = listening.link.recorder
         digits = -(-recorder_digits(listening) // 1)
         last, time = -1.0, -1.0
-        # Words that stand still for a while do not tell which of several samples they are.
+        # Words that are constant for a while fit several samples.
         places = {(-1, -1)}
         lost_before = 0
         for position, sample in enumerate(listening.samples):
@@ -555,30 +553,30 @@ class Oracle:
                 f"{listening.link.name} subscription to {[f'{a:#x}' for a in listening.addresses]}, sample {position}"
             )
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
-                raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
+                raise RuleError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
             before = min(places)
             earliest = before if listening.arguments["timestamps"] else (before[0], before[1] - _MOST_DOUBLED)
             published = {place for place in listening.published.samples.get(text, ()) if place >= earliest}
             if not published:
-                raise WorldError("a sample that was not published", f"{where}: {text!r}")
+                raise RuleError("a sample that was not published", f"{where}: {text!r}")
             instant = recorder.instants[words[0] & _COUNT]
             if instant < last - _SLACK and min(published) >= before:
-                raise WorldError("samples in another order", where)
+                raise RuleError("samples in another order", where)
             last = max(last, instant)
             self._judge_instant(listening, words, instant, where)
             time = self._judge_time(sample, time, where)
             reached = {new for old in places for new in _next_places(listening, old, published, sample.lost)}
             if not reached:
-                raise WorldError(
+                raise RuleError(
                     "lost samples counted wrong",
                     f"{where}: lost {sample.lost}, from one of {sorted(places)} to one of {sorted(published)}",
                 )
             places = reached
             lost_before += sample.lost
         if listening.lost is not None and listening.lost != lost_before:
-            raise WorldError(
+            raise RuleError(
                 "lost samples counted wrong",
-                f"{listening.link.name}: lost is {listening.lost}, its samples say {lost_before}",
+                f"{listening.link.name}: lost is {listening.lost}, the sum over its samples is {lost_before}",
             )
 
     @staticmethod
@@ -587,7 +585,7 @@ class Oracle:
         if sample.time is None:
             return before
         if sample.time < before - _SLACK:
-            raise WorldError("time that goes back", f"{where}: {sample.time}, and {before} before it")
+            raise RuleError("time that goes back", f"{where}: {sample.time}, and {before} before it")
         return sample.time
 
     @staticmethod
@@ -602,9 +600,9 @@ class Oracle:
             else:
                 good = True
             if not good:
-                raise WorldError("a sample of several instants", f"{where}: {word:#x}")
+                raise RuleError("a sample of several instants", f"{where}: {word:#x}")
 
-    # All together
+    # All calls together
 
     @staticmethod
     def _judge_nothing_else(recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
@@ -614,7 +612,7 @@ class Oracle:
         for recorder in recorders:
             for word in recorder.places:
                 if (id(recorder), word) not in asked:
-                    raise WorldError("a write that was not asked for", f"{recorder.name}: {word:#x}")
+                    raise RuleError("a write without a call", f"{recorder.name}: {word:#x}")
 
     @staticmethod
     def _judge_queues(recorders: Sequence[Recorder], logs: Sequence[LinkLog]) -> None:
@@ -635,9 +633,9 @@ class Oracle:
                         perhaps[address] += count
             for address, taken in recorder.popped.items():
                 if not delivered[address] <= len(taken) <= delivered[address] + perhaps[address]:
-                    raise WorldError(
-                        "queue reads executed more or less often than asked",
-                        f"{recorder.name} {address:#x}: {len(taken)} words taken, {delivered[address]} asked for and "
+                    raise RuleError(
+                        "queue reads executed more or less often than called",
+                        f"{recorder.name} {address:#x}: {len(taken)} words taken, {delivered[address]} delivered and "
                         f"{perhaps[address]} perhaps",
                     )
 
@@ -645,13 +643,13 @@ class Oracle:
 def _next_places(
     listening: Listening, old: tuple[int, int], published: set[tuple[int, int]], lost: int
 ) -> Iterator[tuple[int, int]]:
-    """Yield which of several samples with the same words one can be, as many being lost since the one before it."""
+    """Yield the samples with the same words that a sample may be, if `lost` samples are missing before it."""
     life, number = old
     for new in published:
         if new[0] == life:
             due = new[1] - number - 1
-            # Two digits do not tell samples that the line has doubled from those a whole round later; a timestamp does.
-            # One of the two may be among those that a full buffer dropped.
+            # Two digits do not distinguish a sample that the line has duplicated from one a whole lap later; timestamps
+            # do. One of both may be among those that a full buffer dropped.
             doubled = -_MOST_DOUBLED <= due < 0 and lost % 0x100 == due % 0x100
             doubled |= "buffer" in listening.arguments and lost == due + 0x100
             if (
@@ -669,9 +667,9 @@ def _next_places(
 def _lost_over_lives(
     published: Published, arguments: dict[str, Any], old: tuple[int, int], new: tuple[int, int], lost: int
 ) -> bool:
-    """Return whether a count is right where a group was set up again.
+    """Return true if a count of losses is correct for a group that was set up again.
 
-    Those that were due in the new life are counted, and those of the old ones that a full buffer dropped.
+    It counts the missing samples of the new life, and those of earlier lives that a full buffer dropped.
     """
     due = new[1]
     dropped = 0
@@ -682,19 +680,19 @@ def _lost_over_lives(
 
 
 def recorder_digits(listening: Listening) -> int:
-    """Return the hex digits of a word."""
+    """Return the number of hex digits of a word."""
     digits: int = listening.arguments["digits"]
     return digits
 
 
 def _ambiguous(lost: int, due: int, listening: Listening) -> bool:
-    """Return whether a count is right but for whole turns of a number of two digits, where no clock tells them."""
+    """Return true if a count is correct except for whole laps of a two-digit number that no clock can resolve."""
     counted = listening.rate is not None and not listening.arguments["on_change"] and listening.arguments["timestamps"]
     return not counted and (due - lost) % 0x100 == 0
 
 
 def _known(ask: Ask, error: BaseException | None) -> tuple[bool, bool]:
-    """Return whether a call is said to be executed, whole, and whether it is said not to be."""
+    """Return whether a call reports its execution, complete, and whether it reports that it was not executed."""
     if ask.told is None:
         return False, False
     if error is None:

@@ -1,7 +1,7 @@
-"""The plan of a world, chosen by a seed before any of it runs: gateways, servers, lines, programs and faults.
+"""The plan of a scenario, drawn from a seed before it runs: gateways, servers, lines, programs and faults.
 
-Nothing is drawn later. A plan can be cut short in any place, and what is left of it does the same as before; that is
-how `story` finds the shortest one that still fails.
+No random numbers are drawn later. If parts of a plan are left out, the remaining parts behave as before; `story` uses
+this to find the shortest plan that still fails.
 """
 
 from __future__ import annotations
@@ -18,29 +18,29 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-# The addresses behind every gateway, by what is there.
+# The addresses of every gateway, by their behaviour.
 PLAIN = range(0x40)
-"""Words that keep what is written."""
+"""Words that keep their written value."""
 MASKED = range(0x40, 0x50)
-"""The same, for masked writes."""
+"""Words that keep their written value, for masked writes."""
 QUEUE_IN = range(0x50, 0x58)
 """Queues that are written."""
 QUEUE_OUT = range(0x58, 0x60)
 """Queues that are read: each read takes the next number."""
 LIVE = range(0x60, 0x80)
-"""Words that name the instant of the access."""
+"""Words that contain the number of the access, and so its instant."""
 BURSTS = range(0x80, 0x90)
-"""The same, but they change in turns: those of odd addresses while those of even ones stand still."""
+"""As `LIVE`, but odd and even addresses change alternately: one half is constant while the other changes."""
 FAILING = range(0xE0, 0xE8)
-"""Every access ends in a bus error."""
+"""Addresses at which every access ends in a bus error."""
 BURST = 0.05
-"""Seconds of such a turn."""
+"""Seconds of such an alternation."""
 
 ADDRESS_SHIFT = 24
 FIRST_VALUE = 16
-"""Words below are there from the beginning, or count by themselves."""
+"""Smaller words are initial values, or counted by the device."""
 LONG_CRC = 32
-"""Bits of a CRC that finds whatever the line does; a short one finds one fault in a frame."""
+"""Bits of a CRC that finds all faults of the line; a shorter CRC finds one fault in a frame."""
 
 
 class GatewayPlan(NamedTuple):
@@ -48,23 +48,23 @@ class GatewayPlan(NamedTuple):
 
     info: GatewayInfo
     bytes_per_second: float | None
-    """Rate of the line, with the FIFOs at its end; None for one without limit."""
+    """Rate of the line, with the FIFOs at its end; None for a line without a limit."""
     triggers: tuple[float, ...]
-    """Instants at which its external trigger rises."""
+    """Instants at which the external trigger rises."""
     datagrams: bool
-    """True if it is reached by datagrams, not by a stream."""
+    """True if the gateway is reached by datagrams instead of a stream."""
     build: str
-    """Name of a build of the gateware, which runs compiled; none for the model."""
+    """Name of a build of the compiled gateware; empty for the model."""
 
 
 class Step(NamedTuple):
-    """One thing that a task of a program does."""
+    """One step of a task of a program."""
 
     kind: str
     args: tuple[Any, ...] = ()
 
     def requests(self) -> int:
-        """Return how many requests it makes, at least."""
+        """Return the smallest number of requests that the step makes."""
         if self.kind in ("burst", "cancel"):
             return sum(step.requests() for step in self.args[-1])
         if self.kind in ("read_many", "write_many", "post_many"):
@@ -78,7 +78,7 @@ class Life(NamedTuple):
     reconnect: bool
     tasks: tuple[tuple[Step, ...], ...]
     close_after: float | None
-    """Seconds after which it is closed, whatever is under way; None: when all is done."""
+    """Seconds after which the link is closed in any state; None: after all tasks."""
 
 
 class ProgramPlan(NamedTuple):
@@ -89,23 +89,23 @@ class ProgramPlan(NamedTuple):
 
 
 class Mishap(NamedTuple):
-    """Mishap of a gateway, a server or a line at an instant, whatever is on it."""
+    """Event at a gateway, a server or a line, at an instant, independent of the bytes on the line."""
 
     at: float
-    """Seconds since the world began; of a ``hang up`` latencies since the server's line was connected again."""
+    """Seconds since the start; for ``hang up``, latencies since the server's line was connected again."""
     whom: str
     kind: str
-    """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
-    place``: its connections stay, but what it has sent and has not arrived is lost. A gateway that is reached by
-    datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a
-    client's line is cut each time when its server has its gateway back. ``second program`` and ``person``: another host
-    on the line of a gateway begins a session."""
+    """``reset``: the gateway is reset and its connections are cut; ``away``: it is also unreachable for a time;
+    ``reset in place``: its connections stay, but the bytes that it has sent and that have not arrived are lost. A
+    gateway that is reached by datagrams has no connections, and its datagrams on the way still arrive. ``hang up``:
+    the connection of a client is cut each time when its server has its gateway back. ``second program`` and
+    ``person``: another host on the line of a gateway opens a session."""
     amount: float
-    """Seconds that it is away; of another host the number of its session."""
+    """Seconds that it is unreachable; for another host the number of its session."""
 
 
 class Plan(NamedTuple):
-    """A whole world."""
+    """The plan of a whole scenario."""
 
     seed: int
     gateways: tuple[GatewayPlan, ...]
@@ -116,21 +116,21 @@ class Plan(NamedTuple):
     faults: tuple[Fault, ...]
     mishaps: tuple[Mishap, ...]
     baud: int | None = None
-    """Rate of the line that all gateways share as nodes, half-duplex; None: each is for itself."""
+    """Bit rate of the half-duplex line that all gateways share as nodes; None: each gateway has its own line."""
 
     def url(self, line: str) -> str:
-        """Return the URL of who listens at the end of a line."""
+        """Return the URL of the listener at the end of a line."""
         by_datagrams = not _is_of_server(line) and gateway_of(line, self.gateways, self.servers).datagrams
         return f"{'udp' if by_datagrams else 'tcp'}://{line}:1"
 
     def is_never_cut(self, line: str) -> bool:
-        """Return whether a line leads to a gateway that stays, by connections that stay and are not mute for long."""
+        """Return true if gateway and connections of a line are never cut, reset or mute for long."""
         cuts = {fault.line for fault in self.faults if fault.kind == "cut" or fault.amount in _AMOUNTS["mute"]}
         cuts |= {mishap.whom for mishap in self.mishaps}
         return not _is_of_server(line) and cuts.isdisjoint((line, line.rpartition(".")[2]))
 
     def is_swift(self, line: str) -> bool:
-        """Return whether the gateway behind a line takes and answers all at once, as a model does."""
+        """Return true if the gateway of a line receives and answers without delay, as a model does."""
         gateway = gateway_of(line, self.gateways, self.servers)
         return gateway.bytes_per_second is None and not gateway.build
 
@@ -140,7 +140,7 @@ class Plan(NamedTuple):
         return [line, f"server{server}.gateway{self.servers[server]}"] if _is_of_server(line) else [line]
 
     def behind_servers(self) -> dict[str, GatewayInfo]:
-        """Return what the gateway is at the end of each line to a server, on which no bytes are lost."""
+        """Return the gateway's configuration for each line to a server; such a line loses no bytes."""
         return {
             line.name: gateway_of(line.name, self.gateways, self.servers).info
             for line in self.lines
@@ -148,7 +148,7 @@ class Plan(NamedTuple):
         }
 
     def requests(self) -> int:
-        """Return how many requests the programs make, at least."""
+        """Return the smallest number of requests that the programs make."""
         return sum(
             step.requests()
             for program in self.programs
@@ -163,13 +163,13 @@ def _is_of_server(line: str) -> bool:
 
 
 def gateway_of(line: str, gateways: Sequence[T], servers: Sequence[int]) -> T:
-    """Return the gateway at the end of a line, or behind the server there."""
+    """Return the gateway at the end of a line, or that of the server there."""
     number = int(line[-1])
     return gateways[servers[number] if _is_of_server(line) else number]
 
 
 def node_of(gateway: int) -> int:
-    """Return the number of a gateway as a node."""
+    """Return the node number of a gateway."""
     return gateway + 1
 
 
@@ -177,16 +177,16 @@ WIRE = "wire"
 """The name of the line that nodes share."""
 _POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 _SPACING = 1_500
-"""Bytes between two faults of a direction, so that a frame with a short CRC is hit once at most."""
+"""Bytes between two faults of a direction, so that at most one fault hits a frame with a short CRC."""
 
 
 class Draw:
     """Draws a plan from a seed.
 
     Args:
-        seed: chooses everything.
-        builds: of the gateware, by name: the gateways are of these; none for models.
-        nodes: whether the gateways are nodes that share a half-duplex line.
+        seed: determines the whole plan.
+        builds: names of builds of the compiled gateware for the gateways; empty for models.
+        nodes: if true, the gateways are nodes that share a half-duplex line.
     """
 
     def __init__(self, seed: int, builds: Sequence[str] = (), *, nodes: bool = False) -> None:
@@ -206,7 +206,7 @@ class Draw:
         lines = [self._line(f"server{place}.gateway{gateway}") for place, gateway in enumerate(servers)]
         programs = []
         listeners = [f"gateway{number}" for number in range(count) if number not in servers]
-        # At least one program for each, and more only at a server: a gateway has one host.
+        # Each listener has at least one program; only a server has several, because a gateway has one host.
         listeners += [f"server{place}" for place in range(len(servers))]
         if servers:
             more = draw.choice((0, 1, 1, 2, 2, 3, 5))
@@ -224,7 +224,7 @@ class Draw:
         return self._with_others(plan)
 
     def _shared(self, plan: Plan) -> Plan:
-        """Return a plan with its gateways on one line, and what happens there."""
+        """Return a plan with its gateways on one line, and the faults of that line."""
         draw = self._random
         baud = draw.choice((115_200, 1_000_000, 3_000_000))
         faults = self._course(WIRE, _WIRE_FAULTS, _SPACING, HIGH) if draw.random() < _BAD_WIRES else []
@@ -234,8 +234,8 @@ class Draw:
         return plan._replace(lines=lines, faults=tuple(faults), mishaps=tuple(mishaps), baud=baud)
 
     def _with_others(self, plan: Plan) -> Plan:
-        """Return a plan with others on the lines of gateways: hosts, boot loaders, noise, and echoes."""
-        # Drawn apart: all else is the same in a world without them.
+        """Return a plan with other senders on the lines of gateways: hosts, boot loaders, noise and echoes."""
+        # A separate generator keeps all other choices the same as without these senders.
         draw = random.Random(f"others {self._seed}")
         lines, faults, mishaps = list(plan.lines), list(plan.faults), list(plan.mishaps)
         for place, line in enumerate(plan.lines):
@@ -256,11 +256,11 @@ class Draw:
                 mishaps.append(Mishap(draw.uniform(0.005, 0.6), line.name, kind, number))
         return plan._replace(lines=tuple(lines), faults=tuple(faults), mishaps=tuple(mishaps))
 
-    # The world
+    # Gateways, lines and faults
 
     def _gateway(self) -> GatewayPlan:
         draw = self._random
-        # Where two send at a time, a frame is damaged all over.
+        # If two nodes send at once, a frame is damaged in many places.
         crc_bits = LONG_CRC if self._nodes else draw.choice((8, 16, 32))
         features = GatewayInfo().features
         slow = draw.random() < 0.15
@@ -270,7 +270,7 @@ class Draw:
         if self._nodes:
             features |= Feature.HALF_DUPLEX | Feature.ADDRESSED
         data_bits = draw.choice((32, 32, 36))
-        # Drawn apart: all else is the same in a world of text.
+        # A separate generator keeps all other choices the same as without the compact form.
         if data_bits % 8 == 0 and random.Random(f"form {self._seed}").random() < _COMPACT:
             features |= Feature.COMPACT
         info = GatewayInfo(
@@ -349,7 +349,7 @@ class Draw:
         return mishaps
 
     def _hang_ups(self, mishaps: list[Mishap], servers: tuple[int, ...], lines: list[str]) -> list[Mishap]:
-        """Draw which clients a server loses while it sets up their groups again, behind three questions."""
+        """Draw the clients that a server loses while it sets up their groups again, after three requests."""
         draw = self._random
         lost = {mishap.whom for mishap in mishaps}
         return [
@@ -379,7 +379,7 @@ class Draw:
         if kind == "burst":
             return Step("burst", (tuple(self._call() for _ in range(self._random.choice((4, 8, 16)))),))
         if kind == "cancel":
-            # The later, the more it is what the line has lost or holds back that is given up.
+            # A later cancel hits the calls that the line has lost or delays.
             after, count = self._random.choice((0.0, 1e-3, 0.01, 0.04, 0.04)), self._random.choice((1, 4, 8))
             return Step("cancel", (after, tuple(self._call() for _ in range(count))))
         if kind == "sleep":
@@ -461,7 +461,7 @@ class Draw:
         draw = self._random
         kind = draw.choice(("asked",) if self._nodes else _GROUPS)
         while True:
-            # Words that change in turns are taken from those of the same turn.
+            # Words that change alternately are taken from one half only.
             pool = BURSTS[draw.randrange(2) :: 2] if kind == "changed" else LIVE
             addresses = tuple(draw.sample(pool, draw.choice((1, 1, 2)))) + tuple(
                 draw.sample(PLAIN, draw.choice((0, 0, 1, 3)))
@@ -492,20 +492,20 @@ class Draw:
 _GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
 """Causes of publication of groups."""
 _OPENED = 500
-"""Bytes behind which most hosts have begun a session; where one has not, nobody types."""
+"""Bytes after which most hosts have opened a session; a person types nothing before that."""
 _ECHOES, _TALKERS, _SECOND_HOSTS = 0.1, 0.5, 0.3
-"""Probabilities that a gateway's line echoes, that something talks on it, and that another host does."""
+"""Probabilities that a gateway's line echoes, that texts are sent on it, and that another host uses it."""
 _COMPACT = 0.6
-"""Probability that a gateway has the compact form, where its words allow that."""
+"""Probability that a gateway has the compact form, if its words permit it."""
 _BAD_WIRES = 0.7
-"""Probabilities of faults of nodes, or of their line."""
+"""Probability of faults of nodes, and of faults of their line."""
 _WIRE_FAULTS = ("lose", "lose", "flip", "flip", "double")
 _FAULTS = ("lose", "lose", "flip", "flip", "double", "stall", "cut", "mute")
 _DATAGRAM_FAULTS = ("lose", "lose", "flip", "copy", "copy", "late", "late", "mute")
 _SOCKET_FAULTS = ("stall", "stall", "cut")
-"""Faults of a socket, which is all that is between a server and its clients."""
+"""Faults of a socket between a server and its clients."""
 _SLOW, _QUICK = 200, 1_000
-"""Base frequencies up to which a group may publish at each tick, and above which it looks no more often."""
+"""In Hz: up to the first base frequency a group may publish at each tick; the second limits the rates of all groups."""
 _AMOUNTS: dict[str, tuple[float, ...]] = {
     "lose": (1, 1, 1, 2, 30),
     "double": (1, 1, 2, 40),
@@ -532,8 +532,8 @@ _CALL_ODDS = {
     "post_many": 3,
 }
 _MANNERS = {"by callback": 0.2, "in haste": 0.3}
-"""Manners in which a program listens, and their frequencies: it is called, and it does not wait until its group has
-been stopped.
+"""Ways in which a program listens, with their frequencies: by a callback, and without waiting for the end of its group
+when it leaves.
 """
 _STEP_ODDS = {"call": 60, "burst": 12, "cancel": 12, "sleep": 8, "listen": 12}
 _CALLS, _CALL_WEIGHTS = list(_CALL_ODDS), list(_CALL_ODDS.values())

@@ -1,4 +1,4 @@
-"""Programs: what a plan's steps do on the public face of a link, each call noted for the oracle."""
+"""Programs: they execute the steps of a plan through the public API of a link; each call is recorded for the oracle."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import re
 from typing import TYPE_CHECKING, Any
 
 import unity_link
-from simulation.oracle import LinkLog, Listening, WorldError
+from simulation.oracle import LinkLog, Listening, RuleError
 from unity_link import (
     BusTimeoutError,
     ConnectError,
@@ -29,12 +29,12 @@ if TYPE_CHECKING:
     from unity_link.transport import Medium
 
 _FOR_GOOD = ("the reconnection failed", "unity-link serve")
-"""Parts of the errors of links that do not come back."""
+"""Parts of the errors of links that cannot return."""
 _MORE = re.compile(r"(\d+) more posted writes failed")
 PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
 CONNECT_TRIES = 40
 PATIENCE = 30.0
-"""Seconds within which a link that was lost and its groups must be back."""
+"""Seconds within which a lost link and its groups must work again."""
 
 
 _WORDS: dict[str, Callable[..., Any]] = {
@@ -53,14 +53,14 @@ _WORDS: dict[str, Callable[..., Any]] = {
 
 
 def words_of(step: Step) -> tuple[tuple[int, int], ...]:
-    """Return the addresses that a call is about, each with the word that is written, or 0."""
+    """Return the addresses of a call, each with the word to write, or 0."""
     words: tuple[tuple[int, int], ...] = _WORDS[step.kind](*step.args) if step.kind in _WORDS else ()
     return words
 
 
 @contextlib.asynccontextmanager
 async def _entered(subscription: unity_link.Subscription, *, in_haste: bool) -> AsyncIterator[None]:
-    """Enter a subscription; who leaves in haste does not wait until its group has been stopped."""
+    """Enter a subscription; with `in_haste` its exit does not wait until the group has been stopped."""
     async with contextlib.AsyncExitStack() as stack:
         await subscription.__aenter__()
 
@@ -77,12 +77,12 @@ class Program:
     """One program.
 
     Args:
-        name: in stories.
-        plan: what it does.
-        target: what it opens.
-        tap: before its gateway.
-        logs: takes what it asks.
-        trace: takes what happens.
+        name: name in traces.
+        plan: its steps.
+        target: URL or medium that it opens.
+        tap: observer of its gateway.
+        logs: receives its calls.
+        trace: receives its events.
     """
 
     def __init__(
@@ -108,12 +108,12 @@ class Program:
         self._mine: dict[int, int] = {}
 
     def listenings(self) -> Iterator[Listening]:
-        """Return all subscriptions that were."""
+        """Return all subscriptions that the program has had."""
         for log in self.logs:
             yield from log.listenings
 
     async def run(self) -> None:
-        """Live all lives."""
+        """Run the planned links one after another."""
         for life in self._plan.lives:
             await self._live(life)
 
@@ -155,7 +155,7 @@ class Program:
             except ConnectError as error:
                 self._note("not connected", str(error))
                 await asyncio.sleep(0.25)
-        raise WorldError("no connection", f"{self.name} was refused {CONNECT_TRIES} times")
+        raise RuleError("no connection", f"{self.name} was refused {CONNECT_TRIES} times")
 
     async def _task(self, link: Link, log: LinkLog, steps: tuple[Step, ...]) -> None:
         for step in steps:
@@ -214,7 +214,7 @@ class Program:
             log.post_failures.append((ask.told, 1 + (int(more[1]) if more else 0), ask.task))
 
     def _remember(self, ask: Ask) -> None:
-        """Note what this program wrote last, for its later reads."""
+        """Record the last value that this program wrote, for its later reads."""
         if ask.kind == "write":
             self._mine[ask.words[0][0]] = ask.words[0][1]
         elif ask.kind == "read":
@@ -261,8 +261,8 @@ class Program:
         except (UnsupportedError, SamplesLostError, UnansweredError, OutOfRangeError, BusTimeoutError) as error:
             self._note("no samples", repr(error))
             if isinstance(error, OutOfRangeError | BusTimeoutError) and not log.shared:
-                # A server has a group for it or not; a gateway has, where the link has one free.
-                raise WorldError("a group that was refused", f"{log.name}, {addresses}: {error!r}") from error
+                # A server may have no group left; a gateway has one, because the link assigned a free one.
+                raise RuleError("a group that was refused", f"{log.name}, {addresses}: {error!r}") from error
         else:
             self._note("samples", addresses, len(listening.samples), listening.lost)
         for task in asking:
@@ -271,7 +271,7 @@ class Program:
     async def _follow(
         self, link: Link, log: LinkLog, samples: unity_link.Subscription, listening: Listening, *, by_callback: bool
     ) -> None:
-        """Listen until a sample of the link's last session comes, as it must where groups are set up again."""
+        """Listen until a sample of the link's last session arrives, which must happen if groups are set up again."""
         until = self._loop.time() + PATIENCE
         while listening.samples and listening.samples[-1].epoch < link.statistics.reconnections:
             if not by_callback:
@@ -283,7 +283,7 @@ class Program:
             if log.ended(link):
                 return
             if self._loop.time() >= until:
-                raise WorldError("a group that was not set up again", f"{log.name}, {listening.addresses}")
+                raise RuleError("a group that was not set up again", f"{log.name}, {listening.addresses}")
 
     async def _publish(self, subscription: unity_link.Subscription, pace: float) -> None:
         await asyncio.sleep(pace)

@@ -1,4 +1,4 @@
-"""Counts of runs and of injected faults, over many worlds."""
+"""Counts of runs and injected faults over many scenarios."""
 
 from __future__ import annotations
 
@@ -13,28 +13,28 @@ if TYPE_CHECKING:
 
 
 class Report:
-    """Figures of worlds."""
+    """Figures of scenarios."""
 
     def __init__(self) -> None:
-        self.worlds: dict[str, list[int]] = {name: [] for name in ("requests", "programs", "faults", "sessions")}
-        """Counts of each world: requests sent, programs, what was injected, changes of session."""
+        self.scenarios: dict[str, list[int]] = {name: [] for name in ("requests", "programs", "faults", "sessions")}
+        """Counts for each scenario: requests sent, programs, injected faults, changes of session."""
         self.injected: Counter[str] = Counter()
         self.failed: list[int] = []
         self._began = time.process_time()
 
     def add(self, outcome: Outcome) -> None:
-        """Take in one world."""
+        """Add one scenario."""
         self.injected += outcome.injected
-        self.worlds["requests"].append(outcome.requests)
-        self.worlds["programs"].append(len(outcome.plan.programs))
-        self.worlds["faults"].append(sum(outcome.injected.values()))
-        self.worlds["sessions"].append(outcome.sessions)
+        self.scenarios["requests"].append(outcome.requests)
+        self.scenarios["programs"].append(len(outcome.plan.programs))
+        self.scenarios["faults"].append(sum(outcome.injected.values()))
+        self.scenarios["sessions"].append(outcome.sessions)
         if outcome.error is not None:
             self.failed.append(outcome.plan.seed)
 
     def json(self) -> str:
         """Return the report for `Report.of`."""
-        return json.dumps({"worlds": self.worlds, "injected": self.injected, "failed": self.failed})
+        return json.dumps({"scenarios": self.scenarios, "injected": self.injected, "failed": self.failed})
 
     @classmethod
     def of(cls, parts: list[dict[str, Any]]) -> Report:
@@ -43,21 +43,23 @@ class Report:
         for part in parts:
             report.injected += Counter(part["injected"])
             report.failed += part["failed"]
-            for name, values in part["worlds"].items():
-                report.worlds[name] += values
+            for name, values in part["scenarios"].items():
+                report.scenarios[name] += values
         return report
 
     def medians(self) -> dict[str, float]:
-        """Return the median of each figure of a world."""
-        return {name: statistics.median(values) for name, values in self.worlds.items()}
+        """Return the median of each figure of a scenario."""
+        return {name: statistics.median(values) for name, values in self.scenarios.items()}
 
     def text(self) -> str:
-        """Return the report for people."""
-        count = len(self.worlds["requests"])
+        """Return the report as text."""
+        count = len(self.scenarios["requests"])
         spent = time.process_time() - self._began
         most = max(self.injected.values(), default=1)
-        lines = [f"{count} worlds, {len(self.failed)} failed, {1000 * spent / count:.1f} ms of processor time each"]
-        lines.append("the median world has " + ", ".join(f"{value:g} {name}" for name, value in self.medians().items()))
+        lines = [f"{count} scenarios, {len(self.failed)} failed, {1000 * spent / count:.1f} ms of processor time each"]
+        lines.append(
+            "the median scenario has " + ", ".join(f"{value:g} {name}" for name, value in self.medians().items())
+        )
         lines += [
             f"{kind:>8} {number:7} {'#' * round(50 * number / most)}" for kind, number in self.injected.most_common()
         ]

@@ -1,4 +1,4 @@
-"""Sendings of each request: watched at the windows of all links and servers of a world."""
+"""Transmissions of each request, counted at the windows of all links and servers of a scenario."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ _repeat = Window.repeat
 
 
 class Sendings:
-    """Repetitions of windows, counted for each request."""
+    """Retransmissions of windows, counted for each request."""
 
     def __init__(self) -> None:
         self._runs: dict[int, Any] = {}
-        """Sources that were sent again, kept so that no other gets their identity."""
+        """Retransmitted sources, stored so that no other object gets their `id`."""
         self._by_signs: Counter[tuple[int, int]] = Counter()
         self._by_time: Counter[tuple[int, int]] = Counter()
 
     @property
     def most(self) -> int:
-        """Most sendings of a request."""
+        """Largest number of transmissions of a request."""
         return 1 + max((self._by_signs + self._by_time).values(), default=0)
 
     @property
     def most_by_signs(self) -> int:
-        """Most sendings of a request, but for those because nothing had come in time."""
+        """Largest number of transmissions of a request, without those after a time-out."""
         return 1 + max(self._by_signs.values(), default=0)
 
     def repeat(self, window: Window[Any]) -> list[Part[Any]]:
-        """Return what a window repeats, and count it."""
+        """Return the parts that a window retransmits, and count them."""
         counted = self._by_time if window.loss.timed_out else self._by_signs
         parts = _repeat(window)
         for _, run, offset, count in parts:
@@ -48,7 +48,7 @@ class Sendings:
 
 @contextlib.contextmanager
 def watched() -> Iterator[Sendings]:
-    """Watch all windows."""
+    """Count at all windows."""
     sendings = Sendings()
 
     def repeat(window: Window[Any]) -> list[Part[Any]]:

@@ -1,14 +1,14 @@
-"""The story of a failure: the shortest world that a few hundred tries find in which the same rule is broken.
+"""The trace of a failure: the shortest scenario, within a few hundred runs, that breaks the same rule.
 
-A plan is cut short by leaving out programs, lives, tasks, steps, faults and mishaps, in large pieces first. What is
-left keeps its places, so the seed and the plan's own words are all that a story needs.
+A plan is shortened by leaving out programs, links, tasks, steps, faults and mishaps, large pieces first. The remaining
+parts keep their positions, so the seed and the shortened plan reproduce the failure.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, TypeVar
 
-from simulation.world import World
+from simulation.world import Scenario
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 def shrink(outcome: Outcome, most_runs: int = MOST_RUNS) -> Outcome:
-    """Return the run of a shorter plan that breaks the same rule, or the run itself where none is found."""
+    """Return the run of a shorter plan that breaks the same rule, or the run itself if none is found."""
     assert outcome.error is not None
     kind, best, runs = outcome.error.kind, outcome, 0
     shorter = True
@@ -32,7 +32,7 @@ def shrink(outcome: Outcome, most_runs: int = MOST_RUNS) -> Outcome:
             if runs == most_runs:
                 return best
             runs += 1
-            attempt = World(plan).run()
+            attempt = Scenario(plan).run()
             if attempt.error is not None and attempt.error.kind == kind:
                 best, shorter = attempt, True
                 break
@@ -40,9 +40,9 @@ def shrink(outcome: Outcome, most_runs: int = MOST_RUNS) -> Outcome:
 
 
 def tell(outcome: Outcome, shortest: Outcome) -> str:
-    """Return the story: the seed, what was broken, the shortest plan and its last events."""
+    """Return the trace as text: the seed, the broken rule, the shortest plan and its last events."""
     plan = shortest.plan
-    lines = [f"seed {plan.seed}: {outcome.error}", f"shortest story: {shortest.error}"]
+    lines = [f"seed {plan.seed}: {outcome.error}", f"shortest scenario: {shortest.error}"]
     lines += [f"  {gateway}" for gateway in plan.gateways]
     used = {program.line for program in plan.programs}
     lines += [f"  {line}" for line in plan.lines if line.name in used or line.name.startswith("server")]
@@ -68,7 +68,7 @@ def _event(entry: tuple[object, ...]) -> str:
 
 
 def _shorter(items: tuple[T, ...]) -> Iterator[tuple[T, ...]]:
-    """Return sequences with a piece left out, large pieces first."""
+    """Yield sequences with a piece left out, large pieces first."""
     size = len(items)
     while size:
         for start in range(0, len(items), size):

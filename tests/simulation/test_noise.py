@@ -1,4 +1,4 @@
-"""The cost of noise: time-outs, which are waiting for nothing, and requests that are sent again. On simulated time."""
+"""The cost of noise on simulated time: time-outs, in which the host waits in vain, and retransmitted requests."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ CONNECTIONS = 500
 
 
 async def read_batch(flip: float, seed: int) -> int:
-    """Read a batch on a line that damages bytes both ways, and return the time-outs."""
+    """Read a batch on a line that damages bytes in both directions; return the number of time-outs."""
     async with unity_link.connect(f"sim:?flip={flip}&seed={seed}", timeout=60) as link:
         before = link.statistics.timeouts
         await link.read_many([1] * READS)
@@ -27,12 +27,12 @@ async def read_batch(flip: float, seed: int) -> int:
 @pytest.mark.parametrize(
     ("flip", "most"),
     [
-        # Where one in four tries fails, as with 29 bytes there and back, some of 10,000 need seven or more.
+        # If one in four tries fails, as with 29 bytes in both directions, some of 10,000 requests need seven or more.
         (0.01, 13),
         (0.001, 9),
     ],
 )
-def test_a_batch_on_a_noisy_line_hardly_waits_and_sends_few_requests_often(flip: float, most: int) -> None:
+def test_a_batch_on_a_noisy_line_rarely_waits_and_repeats_few_requests_often(flip: float, most: int) -> None:
     with watched() as sendings:
         timeouts = [run_simulated(read_batch(flip, seed)) for seed in SEEDS]
     assert statistics.mean(timeouts) <= 0.5

@@ -1,4 +1,4 @@
-"""Worlds, each from one seed, thousands in a campaign, and the proof that they repeat and that they can fail."""
+"""Scenarios, each from one seed, thousands in a campaign; runs are repeatable, and known bugs are found."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from unity_link.transport.turns import Seat
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from simulation.oracle import WorldError
+    from simulation.oracle import RuleError
 
 SEEDS = 600
 """Seeds in each run of the suite."""
@@ -29,16 +29,16 @@ CAMPAIGN_SEEDS = 10_000
 FOUND_SEEDS = 2_000
 """Seeds within which each known bug must be found."""
 BUILDS = ("default", "crc_32", "short", "short_ids", "slow", "compact")
-"""The gateware, compiled, with as many features as a model has."""
+"""Builds of the compiled gateware that have all features of a model."""
 BUILD_SEEDS = 50
-"""Seeds that are run on it, in a campaign four times as many."""
+"""Seeds for each build of the gateware; a campaign runs four times as many."""
 NODE_SEEDS = 20
 """Seeds whose gateways are nodes of one line."""
 TESTS = Path(__file__).parents[1]
 
 
 def run_python(*arguments: str) -> subprocess.Popen[str]:
-    """Start Python beside this process, on the same sources and without measuring what it covers."""
+    """Start Python beside this process, with the same sources and without measuring coverage."""
     environment = unmeasured_environment() | {"PYTHONPATH": os.pathsep.join([str(TESTS.parent), str(TESTS)])}
     return subprocess.Popen([sys.executable, *arguments], stdout=subprocess.PIPE, text=True, env=environment)
 
@@ -47,7 +47,7 @@ def run_python(*arguments: str) -> subprocess.Popen[str]:
     "seeds",
     [pytest.param(SEEDS, marks=pytest.mark.slow), pytest.param(CAMPAIGN_SEEDS, marks=pytest.mark.campaign)],
 )
-def test_no_world_breaks_a_rule_and_the_worlds_are_eventful(seeds: int) -> None:
+def test_no_scenario_breaks_a_rule_and_scenarios_have_many_events(seeds: int) -> None:
     processes = os.cpu_count() or 1
     size = -(-seeds // processes)
     runs = [
@@ -57,7 +57,7 @@ def test_no_world_breaks_a_rule_and_the_worlds_are_eventful(seeds: int) -> None:
     texts = [run.communicate()[0] for run in runs]
     assert not any(run.returncode for run in runs), "\n".join(texts)
     report = Report.of([json.loads(text.splitlines()[-1]) for text in texts])
-    print(report.text())  # noqa: T201  (the histogram of what was injected)
+    print(report.text())  # noqa: T201  (the histogram of injected faults)
     medians = report.medians()
     assert medians["requests"] >= 200
     assert medians["programs"] >= 2
@@ -70,13 +70,13 @@ def test_no_world_breaks_a_rule_and_the_worlds_are_eventful(seeds: int) -> None:
     "seeds",
     [pytest.param(BUILD_SEEDS, marks=pytest.mark.slow), pytest.param(4 * BUILD_SEEDS, marks=pytest.mark.campaign)],
 )
-def test_no_world_of_the_gateware_itself_breaks_a_rule(seeds: int) -> None:
+def test_no_scenario_with_the_compiled_gateware_breaks_a_rule(seeds: int) -> None:
     failed = [outcome for seed in range(seeds) if (outcome := run_seed(seed, builds=BUILDS)).error]
     assert not failed, "\n".join(f"seed {outcome.plan.seed}: {outcome.error}" for outcome in failed)
 
 
 @pytest.mark.slow
-def test_no_world_of_nodes_on_one_line_breaks_a_rule_and_two_who_send_at_a_time_do(
+def test_scenarios_with_nodes_break_a_rule_only_if_links_ignore_turns(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     failed = [outcome for seed in range(NODE_SEEDS) if (outcome := run_seed(seed, nodes=True)).error]
@@ -88,11 +88,11 @@ def test_no_world_of_nodes_on_one_line_breaks_a_rule_and_two_who_send_at_a_time_
 
     monkeypatch.setattr(Seat, "ask", take_the_turn)
     kinds = {outcome.error.kind for seed in range(20) if (outcome := run_seed(seed, nodes=True)).error}
-    assert "two who send at a time" in kinds
+    assert "simultaneous transmissions" in kinds
 
 
 @pytest.mark.slow
-def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
+def test_a_seed_repeats_its_scenario_to_the_byte_in_another_process_too() -> None:
     script = "import sys; from simulation.world import run_seed; print(*(run_seed(seed).digest for seed in range(8)))"
     digests = [run_seed(seed).digest for seed in range(8)]
     assert digests == [run_seed(seed).digest for seed in range(8)]
@@ -102,7 +102,7 @@ def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
 
 
 @pytest.mark.slow
-def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_failure_is_reported_with_its_seed_and_a_shorter_scenario(monkeypatch: pytest.MonkeyPatch) -> None:
     bug = next(bug for bug in BUGS if bug.name == "a repetition is executed again")
     bug.put_back(monkeypatch)
     failed = next(outcome for seed in range(200) if (outcome := run_seed(seed)).error)
@@ -117,17 +117,17 @@ def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytes
 
 
 @pytest.mark.campaign
-# A world that a bug has broken leaves coroutines that nothing ends.
+# A scenario that a bug has broken leaves unfinished coroutines.
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("bug", [bug for bug in BUGS if bug.name not in UNSEEN], ids=lambda bug: bug.name)
-def test_a_known_bug_that_is_put_back_is_found(bug: Bug) -> None:
+def test_each_known_bug_that_is_put_back_is_found(bug: Bug) -> None:
     seed, error = find(bug, range(FOUND_SEEDS))
-    print(f"{bug.name}: found by seed {seed}: {error}")  # noqa: T201  (what was done, for docs/reliability.md)
+    print(f"{bug.name}: found by seed {seed}: {error}")  # noqa: T201  (the figures of docs/reliability.md)
     assert error is not None
 
 
-def find(bug: Bug, seeds: Iterable[int]) -> tuple[int, WorldError | None]:
-    """Return the first seed whose world breaks a rule with the bug and none without, and the rule."""
+def find(bug: Bug, seeds: Iterable[int]) -> tuple[int, RuleError | None]:
+    """Return the first seed whose scenario breaks a rule only with the bug, and the rule."""
     seed = -1
     for seed in seeds:
         with pytest.MonkeyPatch.context() as patch:

@@ -1,4 +1,4 @@
-"""A world: a plan that is run on simulated time, and judged."""
+"""A scenario: a plan that is run on simulated time, and checked."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from simulation.answers import judge_answers
 from simulation.clock import LivelockError, SimulatedLoop
 from simulation.medium import Network
 from simulation.nodes import Wire
-from simulation.oracle import MOST_WAITING, POSTED, LinkLog, Oracle, Tap, WorldError
+from simulation.oracle import MOST_WAITING, POSTED, LinkLog, Oracle, RuleError, Tap
 from simulation.plan import BURST, WIRE, Draw, GatewayPlan, Mishap, Plan, gateway_of, node_of
 from simulation.programs import Program
 from simulation.sendings import watched
@@ -39,22 +39,22 @@ if TYPE_CHECKING:
     from unity_link.virtual import BareGateway, Gateway
 
 CALM_AFTER = 10.0
-"""Seconds after which nothing goes wrong any more."""
+"""Seconds after which no further faults occur."""
 SETTLED_AFTER = 90.0
-"""Seconds after which everything must have come to its end."""
+"""Seconds after which every program must have ended."""
 MOST_SENDINGS = 12
-"""Most sendings of a request, but for repetitions because nothing had come in time."""
+"""Largest number of transmissions of a request, without those after a time-out."""
 MOST_DOUBT = 1.0
-"""Seconds within which a link ends whose line another host has taken."""
+"""Seconds within which a link ends after another host has taken its line."""
 
 
 class Outcome:
-    """Result of a world."""
+    """Result of a scenario."""
 
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.trace: list[Any] = []
-        self.error: WorldError | None = None
+        self.error: RuleError | None = None
         self.injected: Counter[str] = Counter()
         self.requests = 0
         self.sessions = 0
@@ -62,11 +62,11 @@ class Outcome:
 
     @property
     def digest(self) -> str:
-        """Return a hash of all that happened."""
+        """Return a hash of all events."""
         return hashlib.blake2b(repr(self.trace).encode(), digest_size=16).hexdigest()
 
 
-class World:
+class Scenario:
     """One run of a plan."""
 
     def __init__(self, plan: Plan) -> None:
@@ -77,17 +77,17 @@ class World:
         self._programs: list[Program] = []
         self._logs: list[LinkLog] = []
         self._faults: list[str] = []
-        """Errors raised where nothing waits for them."""
+        """Errors that no task awaits."""
         self._wire: Wire | None = None
-        """The line that the gateways share, if they do."""
+        """The line that the gateways share, if they are nodes."""
         self._taken: dict[str, float] = {}
-        """Instants at which another host has begun a session with a gateway, by the lines."""
+        """Instants at which another host has opened a session with a gateway, by line."""
         self._anew: dict[str, asyncio.Event] = {}
-        """By the names of those that are reached by datagrams: set when they are to begin anew."""
+        """By the names of gateways that are reached by datagrams: set when they must restart."""
 
     def run(self) -> Outcome:
-        """Run, and judge."""
-        # The pauses of reconnections are drawn from the module's generator.
+        """Run the plan, and check the result."""
+        # The pauses of reconnections are drawn from the generator of the module `random`.
         random.seed(self._plan.seed)
         loop = SimulatedLoop()
         loop.set_exception_handler(lambda _, context: self._faults.append(_describe(context)))
@@ -102,12 +102,12 @@ class World:
                 loop.run_until_complete(self._live(loop))
             self._look_for_what_is_left(loop)
             self._judge_sendings(sendings)
-        except WorldError as error:
+        except RuleError as error:
             self.outcome.error = error
         except DeadlockError as error:
-            self.outcome.error = WorldError("everything waits", str(error))
+            self.outcome.error = RuleError("everything waits", str(error))
         except LivelockError as error:
-            self.outcome.error = WorldError("callbacks for ever", str(error))
+            self.outcome.error = RuleError("callbacks for ever", str(error))
         finally:
             self.outcome.seconds = loop.time()
             self._count()
@@ -120,14 +120,14 @@ class World:
     def _look_for_what_is_left(self, loop: SimulatedLoop) -> None:
         left = asyncio.all_tasks(loop)
         if left:
-            raise WorldError("a task that does not end", str(left))
+            raise RuleError("a task that does not end", str(left))
         if self._faults:
-            raise WorldError("an error that nothing waits for", self._faults[0])
+            raise RuleError("an error that no task awaits", self._faults[0])
 
     @staticmethod
     def _judge_sendings(sendings: Sendings) -> None:
         if (most := sendings.most_by_signs) > MOST_SENDINGS:
-            raise WorldError("a request sent too often", f"{most} times")
+            raise RuleError("a request sent too often", f"{most} times")
 
     async def _live(self, loop: SimulatedLoop) -> None:
         plan = self._plan
@@ -149,38 +149,38 @@ class World:
             await self._run_programs(loop)
         for course in self._network.courses.values():
             if course.most_waiting > MOST_WAITING:
-                raise WorldError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
+                raise RuleError("a buffer that grows", f"{course.most_waiting} bytes waited in {course.name}")
         self._judge_undisturbed()
         if self._wire is not None and self._wire.collisions and not self._was_disturbed(WIRE):
-            raise WorldError("two who send at a time", self._wire.collisions[0])
+            raise RuleError("simultaneous transmissions", self._wire.collisions[0])
         self._judge_sessions()
         self._judge_losers()
         judge_answers(self._trace, plan.behind_servers())
         Oracle().judge([tap.recorder for tap in self._taps], self._logs)
 
     def _judge_sessions(self) -> None:
-        """Check that no session ends where no connection is cut and no gateway is reset: each loss is made up for."""
+        """Check that no session ends without a cut connection or a reset gateway: the link recovers from losses."""
         for program in self._programs:
             again = sum(link.statistics.reconnections for link in program.links)
             if again and self._plan.is_never_cut(program.line):
-                raise WorldError("a session that ended without need", f"{program.name}: {again}")
+                raise RuleError("a session that ended without a cause", f"{program.name}: {again}")
 
     def _judge_undisturbed(self) -> None:
-        """Check that nothing is lost and sent again where nothing happens between a program and its gateway."""
+        """Check that no request is retransmitted and no sample is lost on an undisturbed path to a gateway."""
         for program in self._programs:
             path = self._plan.path(program.line)
             if not self._plan.is_swift(program.line) or any(map(self._was_disturbed, path)):
                 continue
             again = sum(link.statistics.repetitions for link in program.links)
-            # A client of a server does not know at first how long an answer takes.
+            # A client of a server has no estimate of the round trip at first.
             if again and len(path) == 1:
-                raise WorldError("requests sent again that were not lost", f"{program.name}: {again}")
+                raise RuleError("requests retransmitted without a loss", f"{program.name}: {again}")
             for listening in program.listenings():
                 if listening.lost and "buffer" not in listening.arguments:
-                    raise WorldError("samples lost where nothing is", f"{program.name}, {listening.addresses}")
+                    raise RuleError("samples lost on an undisturbed line", f"{program.name}, {listening.addresses}")
 
     def _judge_losers(self) -> None:
-        """Check that a link ends soon where another host takes its gateway, if nothing else happens."""
+        """Check that a link ends soon after another host has taken its gateway, unless other faults happen."""
         for program in self._programs:
             line, at = program.line, self._taken.get(program.line, math.inf)
             gateway = line.rpartition(".")[2]
@@ -190,24 +190,26 @@ class World:
                 if ask.asked <= at or ask.cancelled or ask.told is None or ask.kind == "exit":
                     continue
                 if ask.error is None and ask.kind in POSTED:
-                    # It is on its way, and what follows it tells.
+                    # The write is in flight; a later call reports its outcome.
                     continue
                 if ask.error is None:
-                    raise WorldError("a link that goes on beside another host", f"{ask}, {at:.6f}")
+                    raise RuleError("a link that continues after another host opened a session", f"{ask}, {at:.6f}")
                 if ask.told > ask.asked + MOST_DOUBT:
-                    raise WorldError("a link that ends late behind another host", f"{ask}, told at {ask.told}")
+                    raise RuleError(
+                        "a link that ends late after another host opened a session", f"{ask}, ended at {ask.told}"
+                    )
 
     def _faults_on(self, line: str) -> int:
-        """Return how many faults a line has had."""
+        """Return the number of faults of a line."""
         return sum(self._network.courses[line, back].fired for back in (False, True))
 
     def _was_disturbed(self, line: str) -> bool:
-        """Return whether something has happened to a line, or to who listens at its end."""
+        """Return true if a fault or mishap has affected a line, or the listener at its end."""
         if self._wire is not None and "server" not in line.rpartition(".")[2]:
-            # What happens to a node, or a program of one, may cost the others a turn.
+            # A fault of one node or of its program may cost the other nodes a turn.
             return bool(self._plan.mishaps) or self._wire.was_disturbed
         whom = line, line.rpartition(".")[2]
-        # An echo comes in the middle of what the gateway sends meanwhile.
+        # An echo arrives within the bytes that the gateway sends at the same time.
         echoes = any(other.name == line and other.echoes for other in self._plan.lines)
         return echoes or self._faults_on(line) > 0 or any(mishap.whom in whom for mishap in self._plan.mishaps)
 
@@ -228,7 +230,7 @@ class World:
         return nodes
 
     def _target(self, line: str) -> str | Medium:
-        """Return what is opened by who is at the beginning of a line."""
+        """Return the URL or medium that the program at the beginning of a line opens."""
         if self._wire is None or ".server" in line:
             return self._plan.url(line)
         return self._wire.at(node_of(int(line[-1])))
@@ -237,7 +239,7 @@ class World:
         self, loop: SimulatedLoop, number: int, plan: GatewayPlan
     ) -> contextlib.AbstractAsyncContextManager[str]:
         bare = RtlGateway(plan.build) if plan.build else VirtualGateway(plan.info)
-        # The gateware runs ahead until it has nothing left to do.
+        # The gateware runs ahead of the clock until it is idle.
         tap = Tap(bare, self._trace, f"gateway{number}", loop.time if plan.build else None)
         tap.recorder.reading = BURST if plan.build else 0.0
         self._taps.append(tap)
@@ -249,7 +251,7 @@ class World:
 
     @contextlib.asynccontextmanager
     async def _serve_datagrams(self, gateway: Gateway, name: str) -> AsyncIterator[str]:
-        """Serve until the end, each time anew when the gateway was reset."""
+        """Serve until the end, and serve again after each reset of the gateway."""
         self._anew[name] = asyncio.Event()
         ready = asyncio.Event()
         task = asyncio.create_task(self._serve_again(gateway, name, ready))
@@ -275,13 +277,13 @@ class World:
         tasks = [loop.create_task(program.run()) for program in self._programs]
         _, pending = await asyncio.wait(tasks, timeout=SETTLED_AFTER)
         if self._faults:
-            raise WorldError("an error that nothing waits for", self._faults[0])
+            raise RuleError("an error that no task awaits", self._faults[0])
         if pending:
             await self._give_up(tasks)
         for task in tasks:
             error = task.exception()
             if error is not None:
-                raise error if isinstance(error, WorldError) else WorldError("an exception", repr(error))
+                raise error if isinstance(error, RuleError) else RuleError("an exception", repr(error))
 
     async def _give_up(self, tasks: list[asyncio.Task[None]]) -> None:
         waiting = [
@@ -294,10 +296,10 @@ class World:
             if task is not asyncio.current_task():
                 task.cancel()
         await asyncio.wait(tasks, timeout=10)
-        raise WorldError("a program that waits for ever", "; ".join(waiting[:3]) or "no call")
+        raise RuleError("a program that waits without end", "; ".join(waiting[:3]) or "no call")
 
     def _hang_up(self, line: Line) -> None:
-        """Disconnect clients when the line of their server is connected again."""
+        """Disconnect clients after the line of their server was connected again."""
         server, _, gateway = line.name.partition(".")
         for mishap in self._plan.mishaps:
             if mishap.kind == "hang up" and mishap.whom.endswith(f".{server}") and gateway:
@@ -334,7 +336,7 @@ class World:
             network.loop.call_later(mishap.amount, network.away.discard, mishap.whom)
 
     def _opening(self, mishap: Mishap) -> bytes:
-        """Return what another host sends to begin a session."""
+        """Return the bytes with which another host opens a session."""
         codec = Codec(gateway_of(mishap.whom, self._plan.gateways, self._plan.servers).info)
         opening = codec.opening(0, int(mishap.amount))
         return b"\n" + (opening + b"\r" if mishap.kind == "person" else codec.framing.checked(opening))
@@ -354,5 +356,5 @@ def _describe(context: dict[str, Any]) -> str:
 
 
 def run_seed(seed: int, builds: Sequence[str] = (), *, nodes: bool = False) -> Outcome:
-    """Draw the plan of a seed and run it, on builds of the gateware if some are named, or as nodes of one line."""
-    return World(Draw(seed, builds, nodes=nodes).plan()).run()
+    """Run the plan of a seed, on builds of the compiled gateware, or with gateways as nodes of one line."""
+    return Scenario(Draw(seed, builds, nodes=nodes).plan()).run()

@@ -1,4 +1,4 @@
-"""The comparison of a program's spec with a board's: the same, compatible, or the differences in words."""
+"""The comparison of a program's spec with a board's: equal, compatible, or different with a list of differences."""
 
 import random
 from collections import Counter
@@ -12,13 +12,13 @@ from unity_link.spec import compile_file
 from unity_link.spec.comparing import compare
 
 INCOMPATIBLE_OF = {ROVER: (560, 20), SCARA: (120, 12), WALKER: (20, 8), BALANCER: (50, 2), CORES: (50, 6)}
-"""Changes of each spec, and the fewest kinds of them that a course of chance has to find."""
+"""Number of random changes of each spec, and the smallest number of their kinds that must occur."""
 COMPATIBLE_OF = {ROVER: 150, SCARA: 20, WALKER: 10, BALANCER: 10, CORES: 10}
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", INCOMPATIBLE_OF, ids=lambda path: path.stem)
-def test_each_change_that_a_program_cannot_live_with_is_found_and_named(path: Path) -> None:
+def test_each_incompatible_change_is_found_and_named(path: Path) -> None:
     mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()
     changes = OF_CORES if path in {BALANCER, CORES} else INCOMPATIBLE
     times, fewest = INCOMPATIBLE_OF[path]
@@ -34,7 +34,7 @@ def test_each_change_that_a_program_cannot_live_with_is_found_and_named(path: Pa
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", COMPATIBLE_OF, ids=lambda path: path.stem)
-def test_each_change_that_a_program_can_live_with_is_none(path: Path) -> None:
+def test_each_compatible_change_is_no_difference(path: Path) -> None:
     mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()
     for _ in range(COMPATIBLE_OF[path]):
         name, change = changed(path, chance, COMPATIBLE)

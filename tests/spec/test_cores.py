@@ -1,4 +1,4 @@
-"""Cores: the files that a word leads to, what these know of a spec, and what the model says of them."""
+"""Cores: the files that a word refers to, their view of the spec, and their part of the model."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ BLINK(WIDTH=8, GROUP=none, NAME="x"): @(BASE) {
 
 
 def write_core(folder: Path, text: str = MAP) -> Path:
-    """Write a core, with Python that must not run, beside a spec; return where the spec is to be."""
+    """Write a core, whose Python must not run, beside a spec; return the path for the spec."""
     core = folder / "cores" / "blink"
     core.mkdir(parents=True)
     (core / "blink.ul").write_text(text)
@@ -73,7 +73,7 @@ def test_a_word_in_capitals_is_the_core_in_the_folder_beside_the_spec(tmp_path: 
     assert [source.name for source in spec.sources] == [str(path), str(tmp_path / "cores/blink/blink.ul")]
 
 
-def test_the_rest_of_a_cores_file_is_its_own(tmp_path: Path) -> None:
+def test_other_names_in_the_file_of_a_core_are_local_to_it(tmp_path: Path) -> None:
     path = write_core(tmp_path)
     used = compiled(path, "enum other { no } public robot() { a: BLINK() @(4); } part(): @(at) { @x = at: READ(); }")
     assert list(used.interface().signals) == ["a.period", "a.mode", "a.count"]
@@ -83,13 +83,13 @@ def test_the_rest_of_a_cores_file_is_its_own(tmp_path: Path) -> None:
     assert "unknown-component" in fault
 
 
-def test_a_core_has_no_groups_of_its_own_and_takes_those_of_the_spec(tmp_path: Path) -> None:
+def test_a_core_uses_the_groups_of_the_spec(tmp_path: Path) -> None:
     path = write_core(tmp_path, MAP + "group own(RATE=10);")
     (fault,) = faults(path, "public robot() { a: BLINK() @(4); }")
     assert fault.endswith("the core BLINK declares a group, and groups are those of the spec that names a core")
 
 
-def test_a_core_of_ones_own_goes_before_an_installed_one_and_a_component_before_both(tmp_path: Path) -> None:
+def test_a_users_core_overrides_an_installed_one_and_a_component_both(tmp_path: Path) -> None:
     (tmp_path / "cores" / "pwm").mkdir(parents=True)
     (tmp_path / "cores" / "pwm" / "pwm.ul").write_text('PWM(): @(BASE) { ENTITY("mine"); @duty = BASE: WRITE(); }')
     path = tmp_path / "robot.ul"
@@ -100,12 +100,12 @@ def test_a_core_of_ones_own_goes_before_an_installed_one_and_a_component_before_
     assert theirs.interface().cores == ()
 
 
-def test_an_address_may_stand_among_the_arguments_of_a_core() -> None:
+def test_an_address_may_be_among_the_arguments_of_a_core() -> None:
     given = compile_text("public robot() { a: PWM(BASE=7, WIDTH=9); }")
     assert given.interface().signals == compile_text("public robot() { a: PWM(WIDTH=9) @(7); }").interface().signals
 
 
-def test_what_is_wrong_in_a_core_is_told_of_its_own_file(tmp_path: Path) -> None:
+def test_a_fault_in_a_core_is_reported_in_its_own_file(tmp_path: Path) -> None:
     path = write_core(tmp_path, MAP.replace("READWRITE(RESET=3)", "READWRITE(RESET=300)"))
     (fault,) = faults(path, "public robot() { a: BLINK() @(4); }")
     assert fault.startswith(f"{tmp_path}/cores/blink/blink.ul: bad-reset: RESET: 300")
@@ -120,7 +120,7 @@ def test_what_is_wrong_in_a_core_is_told_of_its_own_file(tmp_path: Path) -> None
         (None, "cannot be read"),
     ],
 )
-def test_a_core_that_is_none_is_told_once_with_its_file(tmp_path: Path, text: str | None, says: str) -> None:
+def test_an_invalid_core_is_reported_once_with_its_file(tmp_path: Path, text: str | None, says: str) -> None:
     path = write_core(tmp_path, text or "")
     if text is None:
         (tmp_path / "cores/blink/blink.ul").unlink()
@@ -133,7 +133,7 @@ def test_a_core_that_is_none_is_told_once_with_its_file(tmp_path: Path, text: st
         assert says in told[0]
 
 
-def test_a_package_brings_cores_which_are_not_imported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cores_of_a_package_are_found_without_importing_it(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     package = tmp_path / "more_cores"
     (package / "blink").mkdir(parents=True)
     (package / "__init__.py").write_text("raise SystemExit('imported')")
@@ -159,7 +159,7 @@ def test_a_package_brings_cores_which_are_not_imported(tmp_path: Path, monkeypat
         ("a: ENCODER() @(0);", False),
     ],
 )
-def test_an_output_that_no_lease_guards_is_warned_of_once(placed: str, warns: bool) -> None:
+def test_an_output_without_a_lease_causes_one_warning(placed: str, warns: bool) -> None:
     spec = compile_text(f"public robot() {{ d: LEASE() @(0x80); {placed} }}")
     assert [one.code for one in spec.warnings] == ["no-lease"] * warns
     assert all("no lease guards a: it goes on" in one.message for one in spec.warnings)
@@ -171,7 +171,7 @@ timer(SCHEDULE=none): @(at) { @wide = at: unsigned 40 WRITE(TIMED(SCHEDULE)); }
 """
 
 
-def test_timed_signals_have_places_on_the_stage_of_their_schedule_in_the_order_of_their_addresses() -> None:
+def test_timed_signals_are_staged_in_the_order_of_their_addresses() -> None:
     placed = (
         "plan: SCHEDULE() @(0x80); other: SCHEDULE() @(0x84); last: timer(plan) @(0x20); first: timer(plan) @(0x10);"
     )
@@ -199,7 +199,7 @@ def test_every_installed_core_is_a_component_with_an_entity() -> None:
         assert (INSTALLED / word.lower() / f"{component.core.entity}.vhd").is_file()
 
 
-def test_a_register_that_no_lease_guards_begins_with_its_safe_value() -> None:
+def test_a_register_without_a_lease_begins_with_its_safe_value() -> None:
     text = """
     axis(LEASE=none): @(at) {
       @limit = at: unsigned 8 READWRITE(SCALE=0.5, SAFE(20, LEASE));
@@ -216,7 +216,7 @@ PLACES = "{0}(): @(BASE) {{ @a = BASE: READWRITE(); p: {1}() @(BASE + 1); }}"
 """Map of a core {0} that places a core {1}."""
 
 
-def test_cores_that_place_each_other_are_one_fault(tmp_path: Path) -> None:
+def test_cores_that_place_each_other_cause_one_fault(tmp_path: Path) -> None:
     path = write_core(tmp_path, PLACES.format("BLINK", "PONG"))
     pong = tmp_path / "cores" / "pong"
     pong.mkdir()
@@ -232,7 +232,7 @@ def test_a_core_may_have_the_word_of_a_component_around_it(tmp_path: Path) -> No
     assert [signal for signal in spec.interface().signals if signal.startswith("p.b.p.")]
 
 
-def test_cores_in_a_long_row_of_levels_are_one_fault(tmp_path: Path) -> None:
+def test_cores_nested_too_deeply_cause_one_fault(tmp_path: Path) -> None:
     path = write_core(tmp_path, PLACES.format("BLINK", "LEVEL0"))
     for level in range(30):
         folder = tmp_path / "cores" / f"level{level}"

@@ -1,4 +1,4 @@
-"""Descriptions: what a board carries of its spec says the same as the spec."""
+"""The description that a board carries has the same meaning as its spec."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ SPECS = sorted(
 
 
 def said(interface: Interface) -> object:
-    """Return what an interface says, without comments, places, and the files of its cores."""
+    """Return the content of an interface without comments, positions and the files of its cores."""
     left_out = {"doc", "type_doc", "span", "vhdl", "library", "python"}
 
     def bare(value: object) -> object:
@@ -46,7 +46,7 @@ def packed(text: str) -> bytes:
 
 
 @pytest.mark.parametrize("path", SPECS, ids=lambda path: str(path.relative_to(ROOT)))
-def test_a_description_says_the_same_as_its_spec(path: Path) -> None:
+def test_a_description_has_the_meaning_of_its_spec(path: Path) -> None:
     for interface in compile_file(path).interfaces:
         again = compile_description(interface.description).interface()
         assert said(again) == said(interface)
@@ -54,7 +54,7 @@ def test_a_description_says_the_same_as_its_spec(path: Path) -> None:
         assert again.description == interface.description
 
 
-def test_it_has_neither_comments_nor_what_the_interface_does_not_use(tmp_path: Path) -> None:
+def test_a_description_has_no_comments_and_no_unused_declarations(tmp_path: Path) -> None:
     (tmp_path / "parts.ul").write_text(
         "/// Long story.\nenum gait { off, trot }\nenum other { a }\n"
         "leg(): @(at) { @mode = at: gait READWRITE(); } // Behind it.\nspare(): @(at) { @x = at: READ(); }\n"
@@ -74,7 +74,7 @@ def test_it_has_neither_comments_nor_what_the_interface_does_not_use(tmp_path: P
     assert "z" in zlib.decompress(spec.interface("second").description, -15).decode()
 
 
-def test_names_of_a_core_and_of_the_spec_stay_apart_and_a_core_of_ones_own_is_in_it(tmp_path: Path) -> None:
+def test_a_description_includes_users_cores_and_keeps_their_names_apart(tmp_path: Path) -> None:
     folder = tmp_path / "cores" / "blink"
     folder.mkdir(parents=True)
     (folder / "blink.ul").write_text(
@@ -89,7 +89,7 @@ def test_names_of_a_core_and_of_the_spec_stay_apart_and_a_core_of_ones_own_is_in
     assert [value.name for value in names["b.mode"].values] == ["slow", "fast"]  # type: ignore[union-attr]
     assert [value.name for value in names["mode"].values] == ["off", "on"]  # type: ignore[union-attr]
     (part,) = again.cores
-    # Its Python is not that of a folder that happens to be here.
+    # The core has no Python: that of a folder on this machine is not used.
     assert (part.core.word, part.core.python) == ("BLINK", "")  # type: ignore[union-attr]
 
 
@@ -102,7 +102,7 @@ def test_names_of_a_core_and_of_the_spec_stay_apart_and_a_core_of_ones_own_is_in
         (packed("x" * (MOST_BYTES + 1)), "1,048,576 characters"),
     ],
 )
-def test_what_is_no_description_is_refused(description: bytes, says: str) -> None:
+def test_invalid_data_of_a_description_is_refused(description: bytes, says: str) -> None:
     with pytest.raises(ValueError, match=says):
         compile_description(description)
 
@@ -131,7 +131,7 @@ LARGE = {
     "comments in lines": "public r() { @s = 1: READ(); " + "//\n" * 300_000 + "}",
     "line ends": "public r() { @s = 1: READ(); " + "\n" * 1_000_000 + "}",
 }
-"""Descriptions that are as large as a board's may be."""
+"""Descriptions of the largest size that a board may carry."""
 TOO_LARGE = {
     "too many arguments": 'public r() { @s[65536] = i: READWRITE(UNIT="V", MIN=0, MAX=5, ID="a" + i); }',
     "two rows": "public r() { @s[65536] = i: READ(); @t[65536] = 65536 + i: READ(); }",
@@ -181,7 +181,7 @@ print(time.process_time() - began, resource.getrusage(resource.RUSAGE_SELF).ru_m
 
 
 def cost_of(text: str) -> tuple[float, int, str]:
-    """Compile a description in a process; return its processor time in seconds, its memory in KiB, and the outcome."""
+    """Compile a description in a process; return its processor time in s, its memory in KiB, and the outcome."""
     command = [sys.executable, "-c", _COST]
     done = subprocess.run(command, input=packed(text), stdout=subprocess.PIPE, check=True, timeout=300)
     seconds, memory, outcome = done.stdout.decode().split(" ", 2)
@@ -199,12 +199,12 @@ def test_a_description_costs_at_most_two_seconds_and_100_megabytes(name: str) ->
 
 
 @pytest.mark.parametrize("name", ["signs", "terms", "parameters", "open strings"])
-def test_a_description_that_is_too_much_work_is_refused(name: str) -> None:
+def test_a_description_that_needs_too_much_work_is_refused(name: str) -> None:
     with pytest.raises(ValueError, match=TOO_MUCH):
         compile_description(packed(TOO_LARGE[name]), 32, 32)
 
 
-def test_a_description_is_refused_with_its_first_error_alone() -> None:
+def test_a_description_is_refused_with_only_its_first_error() -> None:
     with pytest.raises(SpecError) as refusal:
         compile_description(packed(FAULTY["one address"]), 32, 32)
     (error,) = refusal.value.diagnostics
@@ -212,7 +212,7 @@ def test_a_description_is_refused_with_its_first_error_alone() -> None:
 
 
 @given(st.binary(min_size=1, max_size=3000), st.sampled_from([8, 12, 16, 24, 32, 64]))
-def test_words_of_pages_hold_the_description(description: bytes, bits: int) -> None:
+def test_the_words_of_the_pages_contain_the_description(description: bytes, bits: int) -> None:
     words = words_of(description, bits)
     assert len(words) == pages_of(len(description), bits) * PAGE_WORDS
     assert all(0 <= word < 1 << bits for word in words)
@@ -244,9 +244,7 @@ def test_a_damaged_word_is_found(description: bytes, data: st.DataObject) -> Non
         ("@a = 0xEF: READ(); GATEWAY(ADDRESS_BITS=9);", True),
     ],
 )
-def test_a_gateway_is_described_where_its_spec_leaves_the_highest_addresses_free(
-    members: str, *, is_described: bool
-) -> None:
+def test_a_gateway_has_a_description_if_its_highest_addresses_are_free(members: str, *, is_described: bool) -> None:
     assert compile_text(f"public a() {{ {members} }}").interface().is_described is is_described
 
 

@@ -1,6 +1,6 @@
-"""Every message to the author: its rule, its sentence, the place that it underlines and what it advises."""
+"""Every message to the author: its rule, its sentence, the underlined text and the advice."""
 
-# ruff: noqa: E501, Q003 -- a case is a row of the table, and quotes are what it is about
+# ruff: noqa: E501, Q003 -- each case is one line of a table, and its text has quotes of both kinds
 
 import os
 import re
@@ -21,7 +21,7 @@ def faults(text: str, address_bits: int | None = None) -> tuple[Diagnostic, ...]
 
 
 def underlined(text: str, found: Diagnostic) -> str:
-    """Return what a diagnostic underlines, up to the end of its first line."""
+    """Return the text that a diagnostic underlines, up to the end of its first line."""
     line = text.splitlines()[found.span.line - 1]
     return line[found.span.column - 1 : found.span.end_column - 1 if found.span.end_line == found.span.line else None]
 
@@ -49,23 +49,23 @@ public robot() {
 
 
 @pytest.mark.parametrize("word", ["enum", "group", "public", "import"])
-def test_a_keyword_in_the_place_of_any_name_is_one_fault(word: str) -> None:
+def test_a_keyword_in_place_of_a_name_causes_one_fault(word: str) -> None:
     names = [token for token in tokenize(NAMED) if token.type == "NAME"]
     assert len(names) > 40
     for name in names:
         start, end = name.start_pos or 0, name.end_pos or 0
         (fault,) = faults(NAMED[:start] + word + NAMED[end:])
         assert fault.span.line == NAMED.count("\n", 0, start) + 1
-        # Before the parameters of a component a keyword begins a declaration.
+        # Before the parameters of a component, a keyword begins a declaration.
         assert fault.help == f"'{word}' is a word of the language: choose another name" or NAMED[end] == "("
 
 
-def test_a_declaration_behind_a_block_without_an_end_is_read() -> None:
+def test_a_declaration_after_an_unclosed_block_is_parsed() -> None:
     text = "public x() {\n  @a = 1 READ();\n  @b = : ;\nenum mode { off, on = }\ngroup g(RATE=);\n"
     assert [found.span.line for found in faults(text)] == [2, 3, 4, 5]
 
 
-def test_faults_of_a_line_share_it_however_long_it_is() -> None:
+def test_faults_of_one_line_share_its_text() -> None:
     texts = [found.text for found in faults("public x() {\n" + "".join(f"@s{i}=q:READ();" for i in range(100)) + "\n}")]
     assert len(texts) == 100
     assert all(text is texts[0] for text in texts)
@@ -75,7 +75,7 @@ JOINT = "\njoint(name): @(pos, vel) { @pos: READ(ID=name + \":p\"); @vel: READ(I
 MODE = "\nenum mode { off, on = 5 }"
 PLAN = '\nSCHEDULE(): @(at) { ENTITY("ul_schedule", TIME, STAGE); @entry = at: unsigned 32 WRITE(); }'
 CASES = [
-    # Syntax. What is given: the spec; the rule; the sentence; what is underlined; the advice, or a part of it.
+    # Syntax. Columns: the spec; the rule; the sentence; the underlined text; the advice, or a part of it.
     ("public x() { @a = 1: READ(); ", "syntax", "this block has no end", "{", "close it with '}'"),
     ("public x() { @a = 1 READ(); }", "syntax", "':' or '[' was expected, not a name (READ)", "READ", ""),
     ("public x() {\n  @a = 1: READ()\n  @b = 2: READ();\n}", "syntax", "a ';' is missing after this", ")", ""),
@@ -150,7 +150,7 @@ CASES = [
     ("public x() { @a = 1: unsigned 64 READ(); @b = 2: READ(); }", "overlap", "b takes bits 31:0 at address 0x2", "2", ""),
     ("public x() { j[2]: joint(\"j\" + i) @(i, 1); }" + JOINT, "overlap", "j[1].pos takes bits 31:0 at address 0x1, which j[0].vel has", "i", ""),
     ("public x() { @a = 1: READ(); @b = 1[3:0]: WRITE(); @c = 1[7:4]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading gives a instead", "1", "make the field READWRITE"),
-    # Registers that go round.
+    # Registers that wrap.
     ("public x() { @a = 1: bool READ(WRAPS); }", "bad-wraps", "no bool wraps", "WRAPS", "signed, unsigned and fixed"),
     ("public x() { @a = 1: unsigned 64 READ(WRAPS); }", "bad-wraps", "has at most 48 bits, and this one has 64", "WRAPS", ""),
     ("public x() { @a = 1: READWRITE(WRAPS, MAX=9); }", "bad-wraps", "no signal with WRAPS has MAX", "MAX=9", "leave it out"),
@@ -183,7 +183,7 @@ CASES = [
     ("public x() { TOSNET(BASE=0, NODES=1) { @a = 1: READ(EFFECT=CLEAR_ON_READ); } }", "bad-effect", "a is in the memory of a TOSNET, where no signal can have an EFFECT", "1", ""),
     ("public x() { m: GIMBAL(); }", "unknown-component", "there is no component 'GIMBAL'", "GIMBAL", "one of your own is cores/gimbal/gimbal.ul beside the spec"),
     ("public x() { m: QUADRATURE(BASE=0); }", "unknown-component", "there is no component 'QUADRATURE'", "QUADRATURE", "it is the core ENCODER now, one for each channel"),
-    # Cores and what is at pins.
+    # Cores and pins.
     ("public x() { m: PWM(WIDHT=8) @(0); }", "unknown-argument", "PWM has no argument 'WIDHT'", "WIDHT", "mean 'WIDTH'?"),
     ("public x() { m: GPIO(INVERT=1) @(0); }", "unknown-argument", "GPIO has no argument 'INVERT'", "INVERT", "it takes DEBOUNCE, GROUP, ON_EDGE and LEASE"),
     ("public x() { m: PWM() @(0, sclk=\"gp0\"); }", "unknown-argument", "PWM has no address or pin 'sclk'", "sclk", "it takes BASE, pwm and dir"),
@@ -339,7 +339,7 @@ CASES = [
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, RANGEFINDER(INFRARED));", "sensors", "RANGEFINDER needs the name of a signal", "g", "as in RANGEFINDER(DISTANCE=name)"),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, RANGEFINDER(DISTANCE=a, FIELD_OF_VIEW=7));", "out-of-range", "FIELD_OF_VIEW is 7, and 0 to 6.28318530718 is expected", "7", ""),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS);", "joints", "JOINTS needs the name of a signal", "g", "JOINTS(POSITION=cpos"),
-    # The whole.
+    # The interface as a whole.
     ('public x() { @a = 1: READ(ID="b"); @b = 2: READ(); }', "id-twice", "the ID 'b' is that of a and of b", "b", ""),
     ("public x() { a: c(); }\nc() { b: d(); }\nd() { c: c(); }", "recursion", "c contains itself: c -> d -> c", "c", ""),
     ("public x() {}\nc() { c: c(); }", "recursion", "c contains itself: c -> c", "c", ""),
@@ -364,7 +364,7 @@ CASES = [
     CASES,
     ids=[f"{case[1]}-{number}" for number, case in enumerate(CASES)],
 )
-def test_a_fault_is_told_with_its_place_and_what_to_do(
+def test_a_fault_is_reported_with_its_position_and_advice(
     text: str, code: str, message: str, place: str, advice: str
 ) -> None:
     found = next((one for one in faults(text) if one.code == code), None)
@@ -383,7 +383,7 @@ def test_every_rule_has_a_case() -> None:
     assert rules - tested - elsewhere == set()
 
 
-def test_all_faults_are_told_at_once_in_the_order_of_the_source() -> None:
+def test_all_faults_are_reported_at_once_in_the_order_of_the_source() -> None:
     text = "public x() {\n  @a = 1: REED();\n  j: joit();\n  @b = 1: READ(SCALE=0);\n  @c = 0x100: READ();\n}\n"
     found = faults(text)
     assert [(one.span.line, one.code) for one in found] == [
@@ -391,7 +391,7 @@ def test_all_faults_are_told_at_once_in_the_order_of_the_source() -> None:
     ]  # fmt: skip
 
 
-def test_several_faults_of_syntax_are_told_at_once() -> None:
+def test_several_faults_of_syntax_are_reported_at_once() -> None:
     text = (
         'public x( {\n  @a: READ(ID=1)\n  @b: READ(ID="x);\n  @c READ();\n  j: joint(1 @(2);\n  @d = 1: READ();\n}\n'
         "y() {\n  @e = ;\n  k: c()\n}\nenum m { a b }\nz() { @f = 2: READ(; }\n"
@@ -399,12 +399,12 @@ def test_several_faults_of_syntax_are_told_at_once() -> None:
     assert [one.span.line for one in faults(text)] == [1, 2, 3, 4, 5, 9, 10, 12, 13]
 
 
-def test_a_fault_of_a_component_is_told_once_however_often_it_is_used() -> None:
+def test_a_fault_of_a_component_with_many_uses_is_reported_once() -> None:
     text = "public x() { a[50]: c() @(i); }\nc(): @(v) { @v: REED(); }"
     assert [one.code for one in faults(text)] == ["unknown-access"]
 
 
-def test_what_only_follows_from_a_fault_is_not_told() -> None:
+def test_consequences_of_a_fault_are_not_reported() -> None:
     text = "public x() { j: joint(nothing) @(nowhere, 1); }" + JOINT
     assert [one.message for one in faults(text)] == [
         "nothing is called 'nothing' here",
@@ -425,7 +425,7 @@ def test_a_refused_divisor_or_rate_is_the_only_fault_of_its_group(text: str) -> 
     assert [one.code for one in faults(text)] == ["out-of-range"]
 
 
-def test_a_component_that_nothing_uses_is_checked_too() -> None:
+def test_an_unused_component_is_checked_too() -> None:
     assert [one.code for one in faults("public x() {}\nc(n): @(v) { @v: REED(ID=n, UNIT=m); }")] == ["unknown-access"]
 
 
@@ -442,7 +442,7 @@ def test_a_diagnostic_shows_file_line_column_the_line_and_the_other_place() -> N
     )
 
 
-def test_advice_stands_below_the_line() -> None:
+def test_advice_is_below_the_line() -> None:
     error = SpecError(faults("public x() { @a = 1: REED(); }"))
     assert str(error) == (
         "robot.ul:1:22: error: there is no access 'REED'\n"
@@ -471,7 +471,7 @@ def test_the_number_of_diagnostics_shown_is_limited() -> None:
     assert str(error).endswith("300 errors, the first 100 of which are shown")
 
 
-def test_files_that_import_each_other_are_told(tmp_path: Path) -> None:
+def test_files_that_import_each_other_are_reported(tmp_path: Path) -> None:
     (tmp_path / "a.ul").write_text('import "b.ul";\npublic x() {}')
     (tmp_path / "b.ul").write_text('import "a.ul";\nc() {}')
     with pytest.raises(SpecError) as caught:
@@ -482,7 +482,7 @@ def test_files_that_import_each_other_are_told(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["/dev/zero", "pipe"])
-def test_an_import_of_what_has_no_end_or_waits_for_a_writer_is_refused(name: str, tmp_path: Path) -> None:
+def test_an_import_of_a_device_or_a_pipe_is_refused(name: str, tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
     (tmp_path / "a.ul").write_text(f'import "{name}";\npublic x() {{}}')
     with pytest.raises(SpecError) as caught:
@@ -491,7 +491,7 @@ def test_an_import_of_what_has_no_end_or_waits_for_a_writer_is_refused(name: str
     assert (found.code, found.message) == ("import", f"{tmp_path / name} is no regular file")
 
 
-def test_a_file_that_is_longer_than_any_spec_is_not_read_to_its_end(tmp_path: Path) -> None:
+def test_a_file_longer_than_any_spec_is_not_read_to_its_end(tmp_path: Path) -> None:
     (tmp_path / "long.ul").write_bytes(b" " * (MOST_CHARACTERS + 1))
     (tmp_path / "a.ul").write_text('import "long.ul";\npublic x() {}')
     for name in ("/dev/zero", str(tmp_path / "a.ul")):
@@ -499,7 +499,7 @@ def test_a_file_that_is_longer_than_any_spec_is_not_read_to_its_end(tmp_path: Pa
             compile_file(name)
 
 
-def test_a_fault_in_an_imported_file_is_told_there(tmp_path: Path) -> None:
+def test_a_fault_in_an_imported_file_is_reported_there(tmp_path: Path) -> None:
     (tmp_path / "lib").mkdir()
     (tmp_path / "a.ul").write_text('import "lib/c.ul";\npublic x() { c: c() @(1); }')
     (tmp_path / "lib" / "c.ul").write_text("\nc(): @(v) { @v: REED(); }")
@@ -517,13 +517,13 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path) -> None:
         compile_file(tmp_path)
 
 
-def test_widths_that_the_gateway_does_not_have_are_told() -> None:
+def test_widths_that_the_gateway_does_not_have_are_reported() -> None:
     (found,) = faults("public x() { GATEWAY(ADDRESS_BITS=12); }", address_bits=8)
     assert found.code == "gateway-width"
     assert found.message == "ADDRESS_BITS is 12 here, and the gateway's is 8"
 
 
-def test_a_file_with_nothing_public_is_warned_of() -> None:
+def test_a_file_without_a_public_interface_causes_a_warning() -> None:
     (found,) = compile_text("c() {}", "c.ul").warnings
     assert found.render() == (
         "c.ul: warning: nothing in this file is public\n  help: mark the outermost component with 'public'"

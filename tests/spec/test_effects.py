@@ -1,4 +1,4 @@
-"""Effects of accesses: which signals have one, what may stand beside them, and what that makes of their words."""
+"""Effects of accesses: the signals that may have one, the fields allowed beside them, and the effect on their words."""
 
 import itertools
 
@@ -36,13 +36,13 @@ def test_an_effect_may_be_left_out_by_a_parameter() -> None:
     assert effects(interface) == {"c.x": None}
 
 
-def test_signals_of_a_row_have_its_effect() -> None:
+def test_signals_of_a_row_have_the_effect_of_the_row() -> None:
     interface = interface_of("@flags[3] = 1[i]: bool READWRITE(EFFECT=WRITE_1_TO_CLEAR);")
     assert set(effects(interface).values()) == {Effect.WRITE_1_TO_CLEAR}
 
 
 @given(kinds=st.lists(st.sampled_from(sorted(WORDS)), min_size=1, max_size=6))
-def test_a_field_needs_a_masked_write_where_a_0_would_change_another_one(kinds: list[str]) -> None:
+def test_a_field_needs_a_masked_write_if_a_0_would_change_another_field(kinds: list[str]) -> None:
     members = [f"@s{bit} = 5[{bit}]: bool {WORDS[kind]};" for bit, kind in enumerate(kinds)]
     if "plain" in kinds and "cleared" in kinds:
         with pytest.raises(SpecError, match="would clear"):
@@ -52,14 +52,14 @@ def test_a_field_needs_a_masked_write_where_a_0_would_change_another_one(kinds: 
     assert {signal.is_field for signal in signals} == {len(kinds) > 1 and "plain" in kinds}
 
 
-def test_a_word_that_a_read_clears_may_be_written_as_something_else() -> None:
+def test_a_word_cleared_by_reads_may_be_written_as_another_signal() -> None:
     interface = interface_of(CLEARED, "@go[2] = 1[i]: bool WRITE(EFFECT=PULSE);")
     assert not any(signal.is_field for signal in interface.signals.values())
     assert not interface_of(CLEARED, "@command = 1: WRITE();").signals["command"].is_field
 
 
 @pytest.mark.parametrize("beside", ["@b = 1[8]: bool READ();", "@b = 1[9:8]: READ(EFFECT=CLEAR_ON_READ);"])
-def test_a_word_that_a_read_clears_is_read_as_one_signal_alone(beside: str) -> None:
+def test_a_word_cleared_by_reads_is_read_as_only_one_signal(beside: str) -> None:
     with pytest.raises(SpecError, match="which each read clears"):
         interface_of(CLEARED, beside)
 
@@ -76,6 +76,6 @@ def test_the_effect_belongs_to_the_map() -> None:
         assert difference.startswith("x: EFFECT is ")
 
 
-def test_a_map_without_effects_is_the_same_as_before_there_were_some() -> None:
+def test_a_map_without_effects_keeps_its_earlier_fingerprint() -> None:
     interface = interface_of("@x = 1: READWRITE(RESET=3);")
     assert "EFFECT" not in interface.facts["x"]

@@ -1,4 +1,4 @@
-"""The fingerprint of a map: the same for the same map, wherever it was read from, and another for any other map."""
+"""The fingerprint of a map depends only on the map: equal for equal maps, different for different ones."""
 
 import msgspec
 import pytest
@@ -9,7 +9,7 @@ from unity_link.spec import Interface
 MAP = '@x = 0x10[3:0]: unsigned READ(UNIT="mm"); @y = 0x12: unsigned 16 WRITE();'
 
 
-def test_the_same_map_has_the_same_fingerprint_wherever_it_was_read_from() -> None:
+def test_equal_maps_of_any_source_have_equal_fingerprints() -> None:
     interface = interface_of(MAP)
     again = msgspec.json.decode(msgspec.json.encode(interface), type=Interface)
     assert again.fingerprint == interface.fingerprint == interface_of(MAP.replace("; ", ";\n")).fingerprint
@@ -26,7 +26,7 @@ def test_the_same_map_has_the_same_fingerprint_wherever_it_was_read_from() -> No
     ],
     ids=["comment", "ID", "order", "what holds anyway"],
 )
-def test_what_changes_no_read_or_write_of_a_program_is_not_in_it(members: str) -> None:
+def test_details_that_affect_no_access_are_not_in_the_fingerprint(members: str) -> None:
     assert members != MAP
     assert interface_of(members).fingerprint == interface_of(MAP).fingerprint
 
@@ -49,10 +49,10 @@ def test_what_changes_no_read_or_write_of_a_program_is_not_in_it(members: str) -
     ],
     ids=["address", "bits", "kind", "width", "access", "queue", "name", "unit", "scale", "offset", "limit", "reset"],
 )
-def test_another_map_has_another_fingerprint(text: str, other: str) -> None:
+def test_different_maps_have_different_fingerprints(text: str, other: str) -> None:
     assert text in MAP
     assert interface_of(MAP.replace(text, other)).fingerprint != interface_of(MAP).fingerprint
 
 
-def test_other_widths_of_the_gateway_are_another_map() -> None:
+def test_other_widths_of_the_gateway_change_the_fingerprint() -> None:
     assert interface_of(MAP, data_bits=64).fingerprint != interface_of(MAP).fingerprint

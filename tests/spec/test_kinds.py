@@ -1,4 +1,4 @@
-"""Any value of any kind survives write and read, one by one and as arrays."""
+"""Values of every kind are the same after encoding and decoding, singly and as arrays."""
 
 import json
 import math
@@ -42,7 +42,7 @@ def signal_of(kind: Kind, word_bits: int, lowest_bit: int = 0) -> Signal:
 
 
 @given(kinds(), st.data())
-def test_every_raw_survives_to_a_value_and_back(kind: Kind, data: st.DataObject) -> None:
+def test_every_raw_word_is_converted_to_a_value_and_back(kind: Kind, data: st.DataObject) -> None:
     raw = data.draw(st.integers(0, (1 << kind.width) - 1))
     value = kind.decode(raw)
     if isinstance(value, float) and math.isnan(value):
@@ -52,7 +52,7 @@ def test_every_raw_survives_to_a_value_and_back(kind: Kind, data: st.DataObject)
 
 
 @given(kinds(), st.data())
-def test_a_value_between_two_raws_goes_to_the_nearer_one(kind: Kind, data: st.DataObject) -> None:
+def test_a_value_between_two_raw_words_is_rounded_to_the_nearer_one(kind: Kind, data: st.DataObject) -> None:
     assume(kind.is_scaled)
     low, high = kind.range
     value = data.draw(st.floats(low, high))
@@ -70,7 +70,9 @@ def test_arrays_agree_with_single_values(kind: Kind, data: st.DataObject) -> Non
 
 
 @given(kinds(), st.sampled_from([8, 16, 32, 64]), st.data())
-def test_every_value_survives_the_words_of_a_signal(kind: Kind, word_bits: int, data: st.DataObject) -> None:
+def test_every_value_is_converted_to_the_words_of_a_signal_and_back(
+    kind: Kind, word_bits: int, data: st.DataObject
+) -> None:
     lowest = data.draw(st.integers(0, max(0, word_bits - kind.width)))
     signal = signal_of(kind, word_bits, lowest)
     raw = data.draw(st.integers(0, (1 << kind.width) - 1))
@@ -137,7 +139,7 @@ def test_columns_decode_a_group_of_many_kinds() -> None:
         ("mode 4", "of", "x: 'of' is no value of mode: off, on are"),
     ],
 )
-def test_a_value_that_a_kind_cannot_say_is_refused(declaration: str, value: float | str, message: str) -> None:
+def test_a_value_that_a_kind_cannot_represent_is_refused(declaration: str, value: float | str, message: str) -> None:
     signal = interface_of(f"@x = 1: {declaration} WRITE();", outside="enum mode { off, on = 5 }").signals["x"]
     with pytest.raises(ArgumentError) as caught:
         signal.encode(value)
@@ -146,7 +148,7 @@ def test_a_value_that_a_kind_cannot_say_is_refused(declaration: str, value: floa
         signal.kind.encode_array(np.array([value, value]))
 
 
-def test_limits_hold_for_what_is_written_and_not_for_what_is_read() -> None:
+def test_limits_apply_to_written_values_but_not_to_read_ones() -> None:
     signal = interface_of('@x = 1: signed 16 READWRITE(SCALE=0.1, UNIT="deg", MIN=-90, MAX=90);').signals["x"]
     assert signal.encode(-90) == (0xFFFF & -900,)
     assert signal.decode(1000) == 100
@@ -154,7 +156,7 @@ def test_limits_hold_for_what_is_written_and_not_for_what_is_read() -> None:
         signal.encode(90.1)
 
 
-def test_an_enumeration_takes_names_members_and_numbers_and_gives_members() -> None:
+def test_an_enumeration_accepts_names_members_and_numbers() -> None:
     signal = interface_of("@x = 1: mode READWRITE();", outside="enum mode { off, on = 5 }").signals["x"]
     kind = signal.kind
     assert kind.enumeration is not None
@@ -170,13 +172,13 @@ def test_an_array_of_names_is_encoded_as_its_members() -> None:
     assert signal.kind.encode_array(np.array([["on", "off"]])).tolist() == [[5, 0]]
 
 
-def test_whole_floats_and_numpy_numbers_are_taken_where_whole_numbers_are() -> None:
+def test_whole_floats_and_numpy_numbers_are_accepted_as_integers() -> None:
     signal = interface_of("@x = 1: signed 16 WRITE();").signals["x"]
     numbers: list[Any] = [np.int8(-2), np.float32(-2)]
     assert signal.encode(-2.0) == signal.encode(numbers[0]) == signal.encode(numbers[1]) == (0xFFFE,)
 
 
-def test_an_enumeration_has_one_class_however_many_others_there_are() -> None:
+def test_an_enumeration_always_has_the_same_class() -> None:
     made = MODE.python_type
     for number in range(200):
         assert Enumeration(f"other_{number}", MODE.values).python_type is not made
@@ -217,7 +219,7 @@ def test_columns_of_an_enumeration_are_equal_to_names() -> None:
     Kind(KindName.SIGNED, 12, scale=1 / 2047), Kind(KindName.UNSIGNED, 1), Kind(KindName.FLOAT, 32),
     Kind(KindName.UFIXED, 16, 8), Kind(KindName.ENUM, 8, enumeration=MODE),
 ], ids=str)  # fmt: skip
-def test_a_bool_is_no_number(kind: Kind) -> None:
+def test_a_bool_is_refused_as_a_number(kind: Kind) -> None:
     truths: tuple[Any, ...] = (True, np.True_)
     for truth in truths:
         with pytest.raises(ArgumentError, match=r"True is no value of .*: a number was expected"):
@@ -227,7 +229,7 @@ def test_a_bool_is_no_number(kind: Kind) -> None:
             kind.encode_array(several)
 
 
-def test_a_bool_takes_the_numbers_0_and_1_too() -> None:
+def test_a_bool_accepts_the_numbers_0_and_1_too() -> None:
     kind = Kind(KindName.BOOL, 1)
     truths: tuple[Any, ...] = (True, 1, 1.0, np.True_, np.float64(1))
     for truth in truths:

@@ -1,4 +1,4 @@
-"""The meaning of a spec: the paper's figure, and each word of the language beyond it."""
+"""The meaning of a spec: the paper's figure, and each further word of the language."""
 
 from pathlib import Path
 
@@ -42,7 +42,7 @@ def group(interface: Interface, name: str) -> GroupSpec:
 # Figure 1
 
 
-def test_figure_1_of_the_paper_is_valid_as_it_stands() -> None:
+def test_figure_1_of_the_paper_is_valid_unchanged() -> None:
     scara = compile_text(FIGURE_1).interface()
     assert scara.name == "scara"
     assert scara.parameters == (Parameter("ctrl"), Parameter("comm"))
@@ -56,7 +56,7 @@ def test_figure_1_of_the_paper_is_valid_as_it_stands() -> None:
     assert module.arguments == {"CTRL": ParameterReference("ctrl"), "COMM": ParameterReference("comm")}
 
 
-def test_the_signals_of_figure_1_are_what_the_paper_says() -> None:
+def test_the_signals_of_figure_1_are_as_in_the_paper() -> None:
     signals = compile_text(FIGURE_1).interface().signals
     cpos, spd, pos_sp, spd_sp = (signals[f"j2.{name}"] for name in ("cpos", "spd", "pos_sp", "spd_sp"))
     assert [one.id for one in (cpos, spd, pos_sp)] == ["joint 2:cpos", "joint 2:spd", "joint 2:pos_sp"]
@@ -69,7 +69,7 @@ def test_the_signals_of_figure_1_are_what_the_paper_says() -> None:
     assert pos_sp.encode(-1200) == (0x1_0000_0000 - 1200,)
 
 
-def test_publish_of_figure_1_makes_one_group_of_both_values_of_all_joints() -> None:
+def test_publish_of_figure_1_makes_one_group_of_all_joints() -> None:
     (only,) = compile_text(FIGURE_1).interface().groups
     assert (only.name, only.number, only.divisor) == ("group_1", 1, 10)
     assert only.signals[:3] == ("j1.cpos", "j1.spd", "j2.cpos")
@@ -96,7 +96,7 @@ def test_the_walker_has_18_joints_and_72_values_in_23_lines() -> None:
     assert sorted(addresses(walker).values()) == list(range(0x10, 0x10 + 72))
 
 
-def test_the_scara_of_the_examples_stands_where_the_virtual_one_does() -> None:
+def test_the_scara_of_the_examples_has_the_map_of_the_virtual_one() -> None:
     from unity_link.virtual.scara import JOINTS, Scara
 
     scara = compile_file(EXAMPLES / "scara.ul").interface()
@@ -111,7 +111,7 @@ def test_the_scara_of_the_examples_stands_where_the_virtual_one_does() -> None:
 # Kinds and bits
 
 
-def test_a_kind_without_a_width_takes_all_the_bits_it_has() -> None:
+def test_a_kind_without_a_width_takes_all_bits_of_its_field() -> None:
     assert [str(signal(f"@x = 1: {kind} READ();").kind) for kind in ("", "signed", "float", "bool")] == [
         "unsigned 32", "signed 32", "float 32", "bool",
     ]  # fmt: skip
@@ -157,13 +157,13 @@ def test_values_are_scaled_and_have_a_unit() -> None:
     assert (angle.unit, angle.limits) == ("deg", (-90, 90))
 
 
-def test_a_fixed_has_its_point_where_it_says() -> None:
+def test_a_fixed_has_the_stated_number_of_fraction_bits() -> None:
     fixed = signal("@x = 1: fixed 16.16 READWRITE();")
     assert fixed.decode(0xFFFF_8000) == -0.5
     assert signal("@x = 1: ufixed 8.8 READ();").decode(0x0180) == 1.5
 
 
-def test_an_enumeration_counts_on_from_the_value_before() -> None:
+def test_an_enumeration_continues_from_the_value_before() -> None:
     enumerated = signal("@x = 1[3:0]: mode READ();", "enum mode { off, manual = 4, auto }").kind.enumeration
     assert enumerated is not None
     assert [(value.name, value.value) for value in enumerated.values] == [("off", 0), ("manual", 4), ("auto", 5)]
@@ -172,7 +172,7 @@ def test_an_enumeration_counts_on_from_the_value_before() -> None:
 # Addresses, components, arrays
 
 
-def test_an_array_gives_its_index_to_arguments_and_addresses() -> None:
+def test_arguments_and_addresses_of_an_array_may_use_its_index() -> None:
     interface = interface_of(
         'legs[2]: leg("leg " + (i + 1)) @(0x10 + 8 * i);',
         outside="leg(name): @(base) { joints[3]: joint(name + i) @(base + i); }\n"
@@ -193,7 +193,7 @@ def test_arguments_and_addresses_may_be_given_by_name_and_have_defaults() -> Non
     assert [one.id for one in interface.signals.values()] == ["x7", "xq", "y1", "yq"]
 
 
-def test_a_default_sees_the_parameters_before_it() -> None:
+def test_a_default_may_use_the_parameters_before_it() -> None:
     outside = 'c(a, b=a + 1, d="x" + b): @(p, q=p + b, r=q + 1) { @p: READ(ID=d); @q: READ(); @r: READ(); }'
     interface = interface_of("one: c(2) @(8); two: c(2, 5) @(16);", outside=outside)
     assert addresses(interface) == {
@@ -216,13 +216,13 @@ def test_a_parameter_is_the_width_of_a_kind(width: str, bits: int) -> None:
     assert (one.kind.name, one.kind.width) == ("signed", bits)
 
 
-def test_a_width_by_name_may_be_that_of_an_enumeration_or_in_a_component_that_nothing_uses() -> None:
+def test_a_width_may_be_a_parameter_of_an_enumeration_or_unused_component() -> None:
     outside = "enum mode { off, on } c(size): @(x) { @x: mode size READ(); } unused(n): @(x) { @x: unsigned n READ(); }"
     (one,) = interface_of("c: c(3) @(4);", outside=outside).signals.values()
     assert (one.kind.name, one.kind.width) == ("enum", 3)
 
 
-def test_an_argument_that_is_none_is_not_there() -> None:
+def test_an_argument_of_none_counts_as_left_out() -> None:
     outside = """
         group state(RATE=100, TIMESTAMPS=true, TRIGGER=false, ON_CHANGE=none);
         d(): @(x) { @x: signed READWRITE(UNIT=none, SCALE=none, PUBLISH(none, 3), POLL(RATE=none), MAX=none); }
@@ -243,7 +243,7 @@ def test_an_argument_that_is_none_is_not_there() -> None:
     assert (state.timestamps, state.trigger, state.on_change) == (True, False, False)
 
 
-def test_none_for_a_parameter_that_has_a_default_is_that_default() -> None:
+def test_none_for_a_parameter_with_a_default_is_the_default() -> None:
     outside = 'c(unit="rad"): @(x) { @x: READ(UNIT=unit); } d(unit=none): @(x) { c: c(unit) @(x); }'
     interface = interface_of('a: d() @(1); b: d("deg") @(2);', outside=outside)
     assert [one.unit for one in interface.signals.values()] == ["rad", "deg"]
@@ -303,7 +303,7 @@ def test_addresses_in_a_module_are_relative_to_its_base() -> None:
     assert tosnet.words is None
 
 
-def test_a_module_without_block_holds_the_whole_interface() -> None:
+def test_a_module_without_a_block_contains_the_whole_interface() -> None:
     interface = interface_of(
         "@x = 1: READ();", "c: c();", "MEMORY(BASE=0x10, SIZE=16);", outside="c() { @y = 2: READ(); }"
     )
@@ -323,20 +323,20 @@ def test_modules_have_names_parameters_and_arrays() -> None:
     assert addresses(interface) == {"c.p": 0x20}
 
 
-def test_the_gateway_tells_its_widths() -> None:
+def test_a_gateway_declaration_sets_the_widths() -> None:
     interface = interface_of("GATEWAY(ADDRESS_BITS=16, DATA_BITS=24);", "@x = 0x1000: READ();")
     assert (interface.address_bits, interface.data_bits) == (16, 24)
     assert str(interface.signals["x"].kind) == "unsigned 24"
 
 
-def test_a_caller_may_tell_the_widths_of_the_gateway() -> None:
+def test_a_caller_may_set_the_widths_of_the_gateway() -> None:
     assert interface_of("@x = 0x1000: READ();", address_bits=16).address_bits == 16
 
 
 # Publishing
 
 
-def test_a_fifo_port_knows_its_depth() -> None:
+def test_a_fifo_port_has_its_depth() -> None:
     assert (signal("@x = 1: READ(FIFO);").fifo, signal("@x = 1: READ(FIFO);").fifo_words) == (True, None)
     assert signal("@x = 1: READWRITE(FIFO(512));").fifo_words == 512
 
@@ -345,7 +345,7 @@ def test_a_signal_may_be_polled() -> None:
     assert signal("@x = 1: READ(POLL(20));").poll_hz == 20
 
 
-def test_groups_have_names_and_get_the_numbers_that_are_free() -> None:
+def test_groups_have_names_and_get_the_free_numbers() -> None:
     interface = interface_of(
         "@a = 1: READ(PUBLISH(fast));", "@b = 2: READ(PUBLISH(0, 7));", "@c = 3: READ(PUBLISH(slow, 5));",
         "@d = 4: READ(PUBLISH(2));", "@e = 5: WRITE(GROUP(targets));", "@f = 6: READ(PUBLISH(slow), GROUP(targets));",
@@ -376,7 +376,7 @@ def test_fields_of_one_word_are_one_word_of_a_sample() -> None:
 
 
 @pytest.mark.parametrize("number", [3, 31, 511])
-def test_a_limit_may_be_the_end_of_a_scaled_kind_as_its_author_writes_it(number: int) -> None:
+def test_a_limit_may_be_the_written_end_of_a_scaled_kind(number: int) -> None:
     width, written = number.bit_length(), number * 3 / 10
     wanted = signal(f"@x = 1: unsigned {width} READWRITE(SCALE=0.3, MAX={written});")
     assert wanted.kind.range[1] < written == wanted.maximum
@@ -385,7 +385,7 @@ def test_a_limit_may_be_the_end_of_a_scaled_kind_as_its_author_writes_it(number:
         signal(f"@x = 1: unsigned {width} READWRITE(SCALE=0.3, MAX={written + 0.2});")
 
 
-def test_a_group_that_only_has_a_number_is_none_that_is_declared_by_the_name_of_it() -> None:
+def test_a_numbered_group_differs_from_a_declared_group_of_its_name() -> None:
     interface = interface_of(
         "@a = 1: READ(PUBLISH(1, 20));", "@b = 2: READ(PUBLISH(group_1));", outside="group group_1(5, 20);"
     )
@@ -393,7 +393,7 @@ def test_a_group_that_only_has_a_number_is_none_that_is_declared_by_the_name_of_
     assert groups == [("group_1_", 1, ("a",)), ("group_1", 5, ("b",))]
 
 
-def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() -> None:
+def test_the_joints_of_a_group_are_the_components_with_the_named_signals() -> None:
     interface = interface_of(
         "j[2]: j() @(2 * i, 2 * i + 1);", "@extra = 9: READ(PUBLISH(s));",
         outside="group s(1, 2, JOINTS(POSITION=p, EFFORT=e));\n"
@@ -404,7 +404,7 @@ def test_the_joints_of_a_group_are_the_components_that_have_the_named_signals() 
     )  # fmt: skip
 
 
-def test_the_set_points_of_joints_are_the_signals_beside_them_that_can_be_written() -> None:
+def test_the_set_points_of_joints_are_the_writable_signals_beside_them() -> None:
     interface = interface_of(
         "a: j() @(0);", "b: fixed() @(4);",
         outside="group s(1, 2, JOINTS(POSITION=p, SET_POSITION=p, SET_EFFORT=e));\n"
@@ -433,7 +433,7 @@ def test_sensors_of_a_group_are_components_with_the_named_signals() -> None:
 # The model
 
 
-def test_doc_strings_reach_the_model() -> None:
+def test_doc_strings_are_in_the_model() -> None:
     interface = compile_text(
         "/// The robot.\n///\n/// All of it.\npublic r() {\n/// A led.\n@led = 1: READ();\n"
         "/// The first.\nc: c();\nd: c();\n}\n"
@@ -454,7 +454,7 @@ def test_the_model_is_immutable_and_can_be_written_as_json() -> None:
     assert msgspec.json.decode(msgspec.json.encode(spec), type=type(spec)) == spec
 
 
-def test_an_interface_is_found_by_its_name_or_as_the_only_one() -> None:
+def test_an_interface_is_selected_by_its_name_or_as_the_only_one() -> None:
     spec = compile_text("public a() {}\npublic b() {}")
     assert spec.interface("b").name == "b"
     with pytest.raises(ArgumentError, match="the spec has 2 public interfaces: name one of a, b"):
@@ -466,6 +466,6 @@ def test_an_interface_is_found_by_its_name_or_as_the_only_one() -> None:
             compile_text("part() {}").interface(name)
 
 
-def test_a_source_is_known_by_its_hash() -> None:
+def test_the_model_has_the_hash_of_its_source() -> None:
     first, second = (compile_text(text).sources[0].sha256 for text in ("public a() {}", "public a() { }"))
     assert first != second

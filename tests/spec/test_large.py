@@ -1,6 +1,6 @@
-"""A spec of 10,000 signals compiles, and the work for it grows with its size and no faster.
+"""A spec of 10,000 signals compiles, and the work grows no faster than its size.
 
-How long it takes is a benchmark's to say; here calls are counted, which are the same on any machine.
+Benchmarks measure the time; these tests count function calls, which are the same on every machine.
 """
 
 import sys
@@ -33,7 +33,7 @@ def arrays(signals: int) -> str:
 
 
 def calls(text: str) -> int:
-    """Count the calls of functions of Python that a compilation makes."""
+    """Return the number of Python function calls that a compilation makes."""
     count = 0
 
     def profile(frame: FrameType, event: str, argument: object) -> None:
@@ -56,7 +56,7 @@ def test_10_000_signals_compile(make: Callable[[int], str]) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("make", "most"), [(flat, 600), (arrays, 400)], ids=["flat", "arrays"])
-def test_the_work_for_a_signal_stays_the_same_in_a_large_spec(make: Callable[[int], str], most: int) -> None:
+def test_the_work_for_each_signal_is_constant_in_a_large_spec(make: Callable[[int], str], most: int) -> None:
     calls(make(100))  # The parser is made once.
     small, large = calls(make(500)), calls(make(2500))
     assert large <= 5 * small * 1.02

@@ -1,4 +1,4 @@
-"""Whatever stands in a spec, the compiler ends with a model or a `SpecError`, and with nothing else."""
+"""The compiler ends with a model or a `SpecError` for any text."""
 
 import random
 from collections.abc import Callable
@@ -40,7 +40,7 @@ SNIPPETS = [token + " " for token in dict.fromkeys(map(str, tokenize(FULL)))] + 
 
 
 def survives(text: str) -> None:
-    """Compile, format and render what goes wrong."""
+    """Compile and format a text; check the rendered errors."""
     for work in (compile_text, format_text):
         shown = refusal(work, text)
         assert shown is None or shown
@@ -82,7 +82,7 @@ def test_a_mutated_generated_spec_compiles_or_is_refused(file: File, chance: ran
 
 @settings(max_examples=examples(100))
 @given(st.lists(st.sampled_from(SNIPPETS), max_size=40))
-def test_any_order_of_tokens_compiles_or_is_refused(tokens: list[str]) -> None:
+def test_any_sequence_of_tokens_compiles_or_is_refused(tokens: list[str]) -> None:
     survives(" ".join(tokens))
 
 
@@ -121,5 +121,5 @@ def test_a_spec_cut_anywhere_compiles_or_is_refused(text: str) -> None:
     ],
     ids=lambda text: repr(text[:12] + text[-30:]),
 )  # fmt: skip
-def test_what_is_very_deep_or_very_long_compiles_or_is_refused(text: str) -> None:
+def test_very_deep_or_long_specs_compile_or_are_refused(text: str) -> None:
     survives(text)

@@ -1,4 +1,4 @@
-"""The printer prints what was parsed, comments included."""
+"""The printer prints the parsed spec, with its comments."""
 
 import pytest
 from hypothesis import given, settings
@@ -44,7 +44,7 @@ def test_any_expression_prints_and_parses_to_itself(expression: object) -> None:
     assert parsed(print_file(file)) == file
 
 
-def test_figure_1_has_its_spaces_put_in_order() -> None:
+def test_the_spaces_of_figure_1_are_formatted() -> None:
     formatted = format_text(FIGURE_1)
     assert '  j1: joint("joint 1") @(0x80, 0x88, 0x8C, 0x94);\n' in formatted
     assert '  @cpos: signed READ(ID=name + ":cpos", PUBLISH(1, 10));\n' in formatted
@@ -90,7 +90,7 @@ def test_no_comment_is_lost() -> None:
 
 @settings(max_examples=examples(100))
 @given(st.data())
-def test_comments_anywhere_survive_and_formatting_twice_changes_nothing(data: st.DataObject) -> None:
+def test_comments_anywhere_are_kept_and_formatting_is_idempotent(data: st.DataObject) -> None:
     pieces = COMMENTED.replace("{", " { ").replace(";", " ; ").replace(",", " , ").split(" ")
     for number in range(data.draw(st.integers(1, 5))):
         place = data.draw(st.integers(0, len(pieces)))
@@ -120,5 +120,5 @@ def test_a_long_statement_has_one_argument_a_line() -> None:
 
 
 @pytest.mark.parametrize("text", ["public x() {\r\n  @a = 1: READ();\r\n}\r\n", "\ufeffpublic x() {\n@a=1:READ();}"])
-def test_line_ends_and_marks_of_other_systems_are_read(text: str) -> None:
+def test_line_ends_and_byte_order_marks_of_other_systems_are_accepted(text: str) -> None:
     assert format_text(text) == "public x() {\n  @a = 1: READ();\n}\n"

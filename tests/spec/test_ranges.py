@@ -1,4 +1,4 @@
-"""The numbers of specs that were compiled elsewhere: all that this compiler makes pass."""
+"""The ranges of numbers in models compiled elsewhere: every model of this compiler is within them."""
 
 import pytest
 from hypothesis import HealthCheck, given, settings

@@ -1,4 +1,4 @@
-"""Rates of groups: the base frequency follows the spec, what comes is printed, and what cannot come is refused."""
+"""Rates of groups: the base frequency follows the spec, actual rates are printed, and impossible ones are refused."""
 
 from pathlib import Path
 
@@ -39,7 +39,7 @@ def test_the_base_frequency_follows_the_rates_of_the_spec(rates: tuple[float, ..
 
 
 @given(st.lists(RATES, min_size=1, max_size=4))
-def test_each_rate_is_the_nearest_of_a_divisor_or_refused(rates: list[float]) -> None:
+def test_each_rate_is_the_nearest_possible_one_or_refused(rates: list[float]) -> None:
     try:
         groups = interface(*rates).groups
     except SpecError as error:
@@ -62,14 +62,14 @@ def test_each_rate_is_the_nearest_of_a_divisor_or_refused(rates: list[float]) ->
     (text(3_000_000), "the group g0 has a rate of 3000000 Hz, and 0 to 2147483.647 Hz is expected"),
     (text(1, outside="@b = 9: READ(PUBLISH(9, 10));"), "the group g0 has a rate of 1 Hz, and 1.526 to 100000 Hz"),
 ])  # fmt: skip
-def test_rates_that_no_base_frequency_has_are_refused_by_the_group_and_the_range(spec: str, expected: str) -> None:
+def test_the_error_for_an_impossible_rate_has_the_group_and_the_range(spec: str, expected: str) -> None:
     with pytest.raises(SpecError) as caught:
         compile_text(spec)
     assert expected in str(caught.value)
 
 
 @on_simulated_time
-async def test_what_comes_is_what_is_printed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+async def test_the_printed_rates_are_those_of_the_samples(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "slow.ul"
     path.write_text(text(0.7, 1000, 333))
     robot_type = unity_link.load(path)

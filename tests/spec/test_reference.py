@@ -1,4 +1,4 @@
-"""The examples of the language's reference are valid, and its tables and grammar name what there is."""
+"""The examples of the language's reference are valid; its tables and grammar are complete."""
 
 import re
 from pathlib import Path
@@ -36,7 +36,7 @@ WORDS = dict.fromkeys(
 
 
 @pytest.mark.parametrize("name", WORDS)
-def test_every_word_of_the_language_is_told(name: str) -> None:
+def test_every_word_of_the_language_is_documented(name: str) -> None:
     assert re.search(rf"`[^`]*\b{name}\b", DOCUMENT)
 
 

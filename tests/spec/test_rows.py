@@ -1,4 +1,4 @@
-"""Rows of signals: one declaration, and signals of their own by the names that all consumers use for elements."""
+"""Rows of signals: one declaration makes several signals, with the names that all consumers use for elements."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class Mixer(Model):
 """
 
 
-def test_each_of_a_row_is_a_signal_by_its_index() -> None:
+def test_each_element_of_a_row_is_a_signal_with_its_index() -> None:
     interface = compile_text(ROBOT).interface()
     acc = [signal for path, signal in interface.signals.items() if "acc" in path]
     assert [(one.path, one.address, one.id) for one in acc] == [
@@ -107,7 +107,7 @@ def test_each_of_a_row_is_a_signal_by_its_index() -> None:
     assert interface.signals["duty[1]"].label == "duty[1]"
 
 
-def test_the_index_stands_in_all_expressions_of_the_declaration() -> None:
+def test_all_expressions_of_a_row_may_use_the_index() -> None:
     interface = interface_of(
         '@a[2] = 8 * i[i + 3:i]: unsigned READWRITE(SCALE=i + 1, MAX=3 * i + 2, PIN="led" + i, ID="a" + i);'
     )
@@ -116,7 +116,7 @@ def test_the_index_stands_in_all_expressions_of_the_declaration() -> None:
     assert (first.id, second.id, first.pin, second.pin) == ("a0", "a1", "led0", "led1")
 
 
-def test_it_is_formatted_as_it_is_written() -> None:
+def test_a_row_is_formatted_as_it_is_written() -> None:
     text = "public robot() {\n  @acc[3] = 0x10 + i: signed 16 READ();\n  @led[8] = 0x20[i]: bool READWRITE();\n}\n"
     assert format_text(text) == text
 
@@ -131,13 +131,13 @@ def test_it_is_formatted_as_it_is_written() -> None:
         ("@a[70000] = i: READ();", "the size of an array is a whole number from 1 to 65536, not the number 70000"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_told(text: str, message: str) -> None:
+def test_faults_of_rows_are_reported(text: str, message: str) -> None:
     with pytest.raises(SpecError) as caught:
         interface_of(text)
     assert message in [one.message for one in caught.value.diagnostics]
 
 
-def test_faults_in_a_row_of_unknown_length_are_found_in_a_component_that_nothing_uses() -> None:
+def test_faults_in_a_row_of_unknown_length_are_found_in_unused_components() -> None:
     with pytest.raises(SpecError, match="there is no kind 'singed'"):
         compile_text("public robot() { }\nunused(n): @(base) { @a[n] = base + i: singed READ(); }")
 
@@ -155,7 +155,7 @@ def test_a_row_of_a_core_has_one_width() -> None:
 
 
 @pytest.mark.slow
-def test_systemrdl_has_each_of_a_row(tmp_path: Path) -> None:
+def test_systemrdl_has_each_element_of_a_row(tmp_path: Path) -> None:
     (tmp_path / "robot.rdl").write_text(export_text(compile_text(ROBOT).interface()))
     assert "@acc_1 = " in import_file(tmp_path / "robot.rdl").text
 
@@ -177,7 +177,7 @@ async def test_a_recording_has_rows_as_arrays(tmp_path: Path) -> None:
 
 
 @on_simulated_time
-async def test_a_program_reads_writes_and_subscribes_to_each(tmp_path: Path) -> None:
+async def test_a_program_reads_writes_and_subscribes_to_each_element(tmp_path: Path) -> None:
     (tmp_path / "robot.ul").write_text(ROBOT)
 
     class Shaken(SimulatedRobot):
@@ -211,7 +211,7 @@ async def test_a_program_reads_writes_and_subscribes_to_each(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)], ids=["sim", "rtl"])
-def test_a_core_has_a_row_of_all_its_axes_as_one_port(rtl: bool, tmp_path: Path) -> None:
+def test_a_core_has_one_port_for_a_row_of_all_its_axes(rtl: bool, tmp_path: Path) -> None:
     folder = tmp_path / "cores" / "mixer"
     folder.mkdir(parents=True)
     for name, text in ("mixer.ul", MIXER_MAP), ("mixer.vhd", MIXER), ("mixer.py", MIXER_MODEL):

@@ -1,4 +1,4 @@
-"""SystemRDL out and in again, and SystemRDL of others in."""
+"""SystemRDL that is exported and imported again, and SystemRDL of other tools."""
 
 import re
 from pathlib import Path
@@ -41,7 +41,7 @@ addrmap chip {
 
 
 def seen(interface: Interface) -> dict[int, list[Any]]:
-    """Return what must survive: everything of a signal but the names of its components and where it was written."""
+    """Return everything of the signals that must survive, except the names of components and source positions."""
     words: dict[int, list[Any]] = {}
     for signal in interface.signals.values():
         kind, name = signal.kind, signal.label.replace("[", "_").rstrip("]")
@@ -63,7 +63,7 @@ def returned(interface: Interface, folder: Path) -> Interface:
 
 
 @pytest.mark.parametrize("name", ["scara", "walker"])
-def test_an_example_comes_back_whole(name: str, tmp_path: Path) -> None:
+def test_an_exported_example_is_imported_completely(name: str, tmp_path: Path) -> None:
     interface = compile_file(EXAMPLES / f"{name}.ul").interface()
     back = returned(interface, tmp_path)
     assert seen(back) == seen(interface)
@@ -72,12 +72,12 @@ def test_an_example_comes_back_whole(name: str, tmp_path: Path) -> None:
     ]
 
 
-def test_the_tree_comes_back_and_arrays_as_single_components(tmp_path: Path) -> None:
+def test_the_tree_is_imported_with_arrays_as_single_components(tmp_path: Path) -> None:
     walker = compile_file(EXAMPLES / "walker.ul").interface()
     assert "legs_3.femur.pos_sp" in returned(walker, tmp_path).signals
 
 
-def test_everything_that_systemrdl_has_no_word_for_comes_back(tmp_path: Path) -> None:
+def test_properties_that_systemrdl_lacks_are_imported_again(tmp_path: Path) -> None:
     interface = interface_of(
         '@a = 1[3:0]: mode READWRITE(ID="a \\"quoted\\" \\\\ path\\\\", UNIT="\N{DEGREE SIGN}C");',
         "@b = 1[15:8]: signed READWRITE(SCALE=0.1, OFFSET=-3, MIN=-1, MAX=1.5);",
@@ -91,7 +91,7 @@ def test_everything_that_systemrdl_has_no_word_for_comes_back(tmp_path: Path) ->
     assert seen(returned(interface, tmp_path)) == seen(interface)
 
 
-def test_an_enumeration_wider_than_a_word_comes_back(tmp_path: Path) -> None:
+def test_an_enumeration_wider_than_a_word_is_imported_again(tmp_path: Path) -> None:
     interface = compile_text("""
 enum mode { off, /// Quick.
   high = 70000 }
@@ -109,18 +109,18 @@ public e() {
     assert back.fingerprint == interface.fingerprint
 
 
-def test_the_width_of_addresses_comes_back(tmp_path: Path) -> None:
+def test_the_width_of_addresses_is_imported_again(tmp_path: Path) -> None:
     interface = compile_text("public x() { GATEWAY(ADDRESS_BITS=12); @a = 1: READ(); }").interface()
     assert returned(interface, tmp_path).address_bits == 12
 
 
 def in_groups(interface: Interface) -> list[tuple[str, ...]]:
-    """Return the names of all groups, their doc strings and their signals in order, arrays as single components."""
+    """Return names, doc strings and ordered signals of all groups; elements of arrays count as single components."""
     flat = re.compile(r"\[(\d+)\]")
     return [(one.name, one.doc, *(flat.sub(r"_\1", path) for path in one.signals)) for one in interface.groups]
 
 
-def test_the_order_of_signals_in_groups_comes_back(tmp_path: Path) -> None:
+def test_the_order_of_signals_in_groups_is_imported_again(tmp_path: Path) -> None:
     interface = compile_text("""
 /// All that moves.
 ///
@@ -143,7 +143,7 @@ joint(): @(base) { @vel = base + 1: READ(PUBLISH(few)); @pos = base: READ(PUBLIS
     assert in_groups(back) == in_groups(interface)
 
 
-def test_a_queue_of_values_narrower_than_a_word_comes_back(tmp_path: Path) -> None:
+def test_a_queue_of_values_narrower_than_a_word_is_imported_again(tmp_path: Path) -> None:
     interface = interface_of("@a = 1: bool READWRITE(FIFO);", "@b = 2: signed 12 READ(FIFO(4));")
     assert seen(returned(interface, tmp_path)) == seen(interface)
 
@@ -176,7 +176,7 @@ def test_an_interface_without_signals_is_refused() -> None:
 @pytest.mark.slow
 @settings(max_examples=examples(15), suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(specs())
-def test_any_valid_spec_comes_back(tmp_path: Path, file: File) -> None:
+def test_any_valid_spec_is_imported_as_it_was_exported(tmp_path: Path, file: File) -> None:
     interface = compile_text(print_file(file)).interface()
     back = returned(interface, tmp_path)
     assert seen(back) == seen(interface)
@@ -207,7 +207,7 @@ def test_a_map_is_chosen_by_its_name(tmp_path: Path) -> None:
         import_file(path, top="three")
 
 
-def test_what_is_no_systemrdl_is_refused_with_its_place(tmp_path: Path) -> None:
+def test_invalid_systemrdl_is_refused_with_its_position(tmp_path: Path) -> None:
     path = tmp_path / "bad.rdl"
     path.write_text("addrmap top {\n  reg { field {} a; } b\n};\n")
     with pytest.raises(SpecError) as caught:
@@ -220,14 +220,14 @@ def test_what_is_no_systemrdl_is_refused_with_its_place(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_what_is_nested_too_deeply_is_refused(tmp_path: Path) -> None:
+def test_systemrdl_that_is_nested_too_deeply_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "deep.rdl"
     path.write_text(f"addrmap top {{ reg {{ field {{}} a[8] = {'(' * 5000}0{')' * 5000}; }} one; }};")
     with pytest.raises(SpecError, match="it is nested too deeply"):
         import_file(path)
 
 
-def test_perl_is_refused_with_its_line_unless_it_is_asked_for(tmp_path: Path) -> None:
+def test_perl_is_refused_with_its_line_unless_it_is_enabled(tmp_path: Path) -> None:
     path = tmp_path / "perl.rdl"
     path.write_text("addrmap top { // <% no Perl %>\n  <% my $n = 3; %>reg { field {} a[8] = <%=$n%>; } one;\n};\n")
     with pytest.raises(SpecError, match=r"run only by `import rdl --perl`") as caught:
@@ -237,7 +237,7 @@ def test_perl_is_refused_with_its_line_unless_it_is_asked_for(tmp_path: Path) ->
     assert "public top()" in import_file(path, perl=True).text
 
 
-def test_perl_of_a_file_that_is_included_is_refused_with_its_line(tmp_path: Path) -> None:
+def test_perl_of_an_included_file_is_refused_with_its_line(tmp_path: Path) -> None:
     path, inner = tmp_path / "outer.rdl", tmp_path / "inner.rdl"
     inner.write_text("\n\n <%=1%>")
     path.write_text('`include "inner.rdl"\naddrmap top { reg { field {} a[8] = 0; } one; };\n')
@@ -246,7 +246,7 @@ def test_perl_of_a_file_that_is_included_is_refused_with_its_line(tmp_path: Path
     assert str(caught.value.diagnostics[0].span) == f"{inner}:3:2"
 
 
-def test_perl_in_systemrdl_opens_and_starts_nothing(tmp_path: Path) -> None:
+def test_perl_in_systemrdl_opens_no_file_and_starts_no_process(tmp_path: Path) -> None:
     path, started = tmp_path / "perl.rdl", tmp_path / "started"
     for text in (f"system('touch {started}')", f"open(my $f, '>', '{started}')"):
         path.write_text(f"<% {text}; %>addrmap top {{ reg {{ field {{}} a[8] = 0; }} one; }};")
@@ -255,12 +255,12 @@ def test_perl_in_systemrdl_opens_and_starts_nothing(tmp_path: Path) -> None:
     assert not started.exists()
 
 
-def test_widths_that_systemrdl_does_not_know_are_refused() -> None:
+def test_widths_that_systemrdl_does_not_have_are_refused() -> None:
     with pytest.raises(UnsupportedError, match="registers of 8, 16, 32 or 64 bits, and robot has 24"):
         export_text(interface_of("@a = 1: READ();", data_bits=24))
 
 
-def test_registers_that_no_word_address_has_are_refused(tmp_path: Path) -> None:
+def test_registers_without_a_word_address_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "odd.rdl"
     path.write_text(
         "addrmap top { reg { regwidth = 8; field {} f[7:0]; } a @ 0x1;"
@@ -281,11 +281,11 @@ def test_garbage_is_refused(tmp_path: Path, text: str) -> None:
         import_file(path)
 
 
-# What no spec can say, and what it says otherwise
+# Features that a spec does not have, or expresses in another way
 
 
 def imported(tmp_path: Path, text: str, **options: Any) -> tuple[Interface, str]:
-    """Import a text; return the interface, and the warnings."""
+    """Import a text; return the interface and the warnings."""
     path = tmp_path / "given.rdl"
     path.write_text(text)
     found = import_file(path, **options)
@@ -293,7 +293,7 @@ def imported(tmp_path: Path, text: str, **options: Any) -> tuple[Interface, str]
 
 
 def refusal(tmp_path: Path, text: str) -> str:
-    """Return the refusal of a text, of which each fault has a line of it."""
+    """Return the refusal of a text; assert that each of its faults quotes a line of the text."""
     path = tmp_path / "given.rdl"
     path.write_text(text)
     with pytest.raises(SpecError) as caught:
@@ -341,32 +341,32 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("what", REFUSED)
-def test_what_no_spec_can_say_is_refused_with_its_line(what: str, tmp_path: Path) -> None:
+def test_features_that_a_spec_does_not_have_are_refused_with_their_line(what: str, tmp_path: Path) -> None:
     body, expected = REFUSED[what]
     said = refusal(tmp_path, f"addrmap chip {{\n  {body}\n}};\n")
     assert expected in said
     assert "given.rdl:2:" in said or what == "a bridge" or "at most 0x1" in said
 
 
-def test_all_that_no_spec_can_say_is_told_at_once(tmp_path: Path) -> None:
+def test_all_refused_features_are_reported_at_once(tmp_path: Path) -> None:
     said = refusal(tmp_path, "addrmap chip {\n reg { field {} a[0:7]; } x;\n reg { field {} b[0:7]; } y;\n};\n")
     assert "chip.x: " in said
     assert "chip.y: " in said
 
 
-def test_big_endian_registers_of_one_word_are_as_others(tmp_path: Path) -> None:
+def test_big_endian_registers_of_one_word_are_imported_as_others(tmp_path: Path) -> None:
     chip, _ = imported(tmp_path, "addrmap chip { bigendian; reg { field {} f[15:8]; } q @ 4; };")
     assert (chip.signals["q"].address, chip.signals["q"].lowest_bit) == (1, 8)
 
 
-def test_wide_registers_that_are_accessed_in_words_come_in(tmp_path: Path) -> None:
+def test_wide_registers_that_are_accessed_in_words_are_imported(tmp_path: Path) -> None:
     text = "reg { regwidth = 128; accesswidth = 32; field {} low[31:0]; field {} high[127:64]; } key;"
     chip, _ = imported(tmp_path, f"addrmap chip {{ {text} }};")
     assert chip.data_bits == 32
     assert (chip.signals["key.high"].address, chip.signals["key.high"].width) == (2, 64)
 
 
-def test_registers_of_several_widths_come_in_where_no_field_is_cut(tmp_path: Path) -> None:
+def test_registers_of_several_widths_are_imported_if_no_field_is_cut(tmp_path: Path) -> None:
     text = "reg { regwidth = 8; field {} f[7:0]; } a; reg {\nregwidth = 32; field {} f[31:0]; } b @ 4;"
     chip, said = imported(tmp_path, f"addrmap chip {{ {text} }};")
     assert [(one.path, one.address, one.width) for one in chip.signals.values()] == [("a", 0, 8), ("b", 4, 32)]
@@ -374,7 +374,7 @@ def test_registers_of_several_widths_come_in_where_no_field_is_cut(tmp_path: Pat
     assert "chip.b: its accesswidth is 32, and it is read and written in words of 8 bits" in said
 
 
-def test_names_that_differ_in_case_or_are_words_are_told_and_come_in(tmp_path: Path) -> None:
+def test_names_that_differ_in_case_or_are_keywords_are_changed_and_reported(tmp_path: Path) -> None:
     words = ["GPIO", "PWM", "FIFO", "COUNTER", "MEMORY", "GATEWAY", "bridge_", "import", "group", "public", "pi", "i"]
     words += ["READ", "base", "signed_", "PUBLISH", "TOSNET", "QUADRATURE", "float", "fixed"]
     parts = "".join(f"regfile {one} {{ reg {{ field {{}} {one}[7:0]; }} {one}[2]; }}; {one} {one};\n" for one in words)
@@ -397,7 +397,7 @@ addrmap public {{
     assert "q.f" in chip.signals
 
 
-def test_a_name_that_is_not_in_the_spec_is_not_warned_of(tmp_path: Path) -> None:
+def test_an_unused_name_causes_no_warning(tmp_path: Path) -> None:
     chip, said = imported(
         tmp_path,
         """addrmap chip {
@@ -444,7 +444,7 @@ OTHERS = ("sw = rw1", "sw = w1", "swacc", "swmod", "sw = w")
 
 
 @pytest.mark.parametrize("effect", [*READING, *WRITING, *OTHERS])
-def test_a_side_effect_is_warned_about_with_its_line(effect: str, tmp_path: Path) -> None:
+def test_an_unsupported_side_effect_causes_a_warning_with_its_line(effect: str, tmp_path: Path) -> None:
     fields = f"field {{ hw = na; {effect}; }} flag[0:0] = 0;\nfield {{}} other[1:1];"
     text = f"addrmap chip {{ external reg {{\n{fields}\n}} q; }};"
     _, said = imported(tmp_path, text)
@@ -463,21 +463,19 @@ EFFECTS = {
 
 
 @pytest.mark.parametrize("properties", EFFECTS)
-def test_the_effects_of_specs_come_in_without_a_warning_and_go_out_in_the_words_of_systemrdl(
-    properties: str, tmp_path: Path
-) -> None:
+def test_effects_of_specs_are_imported_and_exported_as_systemrdl_properties(properties: str, tmp_path: Path) -> None:
     chip, said = imported(tmp_path, f"addrmap chip {{ reg {{ field {{ {properties}; }} flag[3:3] = 0; }} q; }};")
     (flag,) = chip.signals.values()
     assert (said, flag.access, flag.effect, flag.doc) == ("", *EFFECTS[properties], "")
     word = properties.rpartition(" ")[2]
     written = re.sub(r"\s+ul_\w+ = [^;]*;", "", export_text(chip))
     assert word in re.findall(r"\w+", written)
-    # What others make of it says the same, without the words of ours.
+    # A tool without our properties reads the same effects.
     back, _ = imported(tmp_path, re.sub(r"property ul_[^\n]*\n", "", written))
     assert (back.signals["q"].access, back.signals["q"].effect) == (flag.access, flag.effect)
 
 
-def test_fields_that_only_ones_change_share_a_register(tmp_path: Path) -> None:
+def test_fields_that_only_written_ones_change_may_share_a_register(tmp_path: Path) -> None:
     fields = "field { woclr; } a[0:0] = 1; field { woclr; } b[7:4] = 2; field { sw = w; singlepulse; } c[8:8] = 0;"
     chip, said = imported(tmp_path, f"addrmap chip {{ reg {{ {fields} }} q; }};")
     assert said == ""
@@ -488,7 +486,7 @@ def test_fields_that_only_ones_change_share_a_register(tmp_path: Path) -> None:
     ]
 
 
-def test_a_register_of_which_a_read_clears_all_fields_is_one_signal_that_tells_where_they_are(tmp_path: Path) -> None:
+def test_a_register_cleared_by_reads_is_one_signal_that_documents_its_fields(tmp_path: Path) -> None:
     fields = """field { sw = r; rclr; desc = "Too many."; } over[3:3]; field { sw = r; rclr; } codes[11:8];"""
     text = f"""reg events {{ desc = "What has happened."; {fields} }};
 addrmap chip {{ events one; events many[2] @ 0x10; reg {{ field {{ sw = r; }} f[31:0]; }} last; }};"""
@@ -517,20 +515,18 @@ addrmap chip {{ events one; events many[2] @ 0x10; reg {{ field {{ sw = r; }} f[
         ("field { woclr; intwidth = 4; fracwidth = 4; } a[7:0];", "woclr"),
     ],
 )
-def test_an_effect_that_no_signal_can_have_in_its_word_is_warned_about_as_ever(
-    fields: str, word: str, tmp_path: Path
-) -> None:
+def test_an_effect_that_is_impossible_in_its_word_causes_a_warning(fields: str, word: str, tmp_path: Path) -> None:
     chip, said = imported(tmp_path, f"addrmap chip {{ external reg {{ default hw = na; {fields} }} q; }};")
     assert f"({word})" in said
     assert all(signal.effect is None for signal in chip.signals.values())
 
 
-def test_plain_fields_are_not_warned_about(tmp_path: Path) -> None:
+def test_plain_fields_cause_no_warning(tmp_path: Path) -> None:
     _, said = imported(tmp_path, "addrmap chip { reg { field {} a[7:0]; field { sw = r; hw = w; } b[8:8]; } q; };")
     assert said == ""
 
 
-def test_memories_in_components_and_registers_in_memories_come_in(tmp_path: Path) -> None:
+def test_memories_in_components_and_registers_in_memories_are_imported(tmp_path: Path) -> None:
     chip, _ = imported(
         tmp_path,
         """
@@ -545,7 +541,7 @@ addrmap chip { bank banks[2] @ 0x100; external table many[2] @ 0x1000; };
     assert chip.signals["many_entries[1].row[2].lo"].address == 0x412
 
 
-def test_memories_alone_go_out_and_come_back(tmp_path: Path) -> None:
+def test_memories_alone_are_exported_and_imported_again(tmp_path: Path) -> None:
     spec = """public store() {
   GATEWAY(ADDRESS_BITS=16, DATA_BITS=16);
   /// Samples.
@@ -561,7 +557,7 @@ part() { pool: MEMORY(BASE=0x200, SIZE=3); }"""
     assert (back.address_bits, back.data_bits) == (16, 16)
 
 
-def test_memories_beside_signals_come_back_and_those_around_signals_do_not(tmp_path: Path) -> None:
+def test_memories_are_imported_again_unless_they_contain_signals(tmp_path: Path) -> None:
     interface = interface_of(
         "@a = 1: READ();", "m: MEMORY(BASE=0x40, SIZE=8);", "MEMORY(BASE=0x20, SIZE=8) { @b = 1: READ(); }",
     )  # fmt: skip
@@ -582,7 +578,7 @@ def test_files_include_others_and_use_earlier_ones(tmp_path: Path) -> None:
         import_file(top)
 
 
-def test_a_spec_that_differs_from_the_compilers_tree_is_not_handed_out(
+def test_an_imported_spec_that_differs_from_the_parsed_tree_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "chip.rdl"

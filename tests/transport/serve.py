@@ -1,6 +1,6 @@
 """Serves a virtual gateway in a process of its own until it is killed: ``serve.py MEDIUM [PATH] [LOSS]``.
 
-Prints the URL in a line when it is ready.
+The script prints the URL in one line when clients can connect.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_un
 
 
 async def main(medium: str, path: str, loss: float) -> None:
-    """Serve for ever."""
+    """Serve the gateway until the process is killed."""
     gateway = NoisyLine(VirtualGateway(), Noise(1, loss=loss), Noise(2, loss=loss))
     serving = {
         "serial": lambda: serve_pty(gateway),

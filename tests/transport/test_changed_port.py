@@ -1,4 +1,4 @@
-"""A serial port that another program sets otherwise while a link uses it, as ``stty sane`` does."""
+"""A serial port whose settings another program changes while a link uses it, as ``stty sane`` does."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ SERVER = Path(__file__).with_name("serve.py")
 
 @pytest.fixture
 def url(tmp_path: Path) -> Iterator[str]:
-    """Serve a gateway on a pseudo-terminal by another process."""
+    """Serve a gateway on a pseudo-terminal from another process; yield its URL."""
     command = [sys.executable, str(SERVER), "serial", str(tmp_path), "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
@@ -55,7 +55,7 @@ def go_on_blocking(url: str) -> None:
 
 @pytest.mark.parametrize("library", ["", "?library=pyserial-asyncio"])
 @pytest.mark.parametrize("face", ["asyncio", "uvloop", "trio", "blocking"])
-def test_a_link_sets_its_port_again_says_so_and_goes_on(
+def test_a_link_restores_the_settings_of_its_port_logs_it_and_goes_on(
     url: str, face: str, library: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     if face == "trio":
@@ -69,9 +69,7 @@ def test_a_link_sets_its_port_again_says_so_and_goes_on(
     assert "another program has changed the settings of the port; they are set again" in caplog.text
 
 
-def test_all_settings_of_a_port_are_set_again_and_of_one_that_is_as_it_was_nothing_is_said(
-    url: str, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_only_changed_settings_of_a_port_are_restored_and_logged(url: str, caplog: pytest.LogCaptureFixture) -> None:
     channel = open_channel(parse_url(url), None)
     assert isinstance(channel, PortChannel)
     try:

@@ -1,4 +1,4 @@
-"""Every face of a link on every medium: docs/reference/faces.md has the table, and C, C++ and Octave."""
+"""Every API of a link on every medium; docs/reference/faces.md has the same table, with C, C++ and Octave."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ MEDIA = (*OF_A_PROCESS, "ftdi", "ftdi-async", "zenoh", "served", "pipes", "mmio"
 
 @pytest.fixture(params=MEDIA)
 def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
-    """Return the URL of a gateway, by another process or the event loop of another thread where it needs one."""
+    """Yield the URL of a gateway, in another process or in the event loop of another thread if the medium needs one."""
     with ExitStack() as stack:
         if request.param in OF_A_PROCESS:
             yield stack.enter_context(_process(request.param, tmp_path))
@@ -88,7 +88,7 @@ async def _over_zenoh() -> AsyncIterator[str]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FACES)
-def test_every_kind_of_call_works(name: str, url: str, tmp_path: Path) -> None:
+def test_every_kind_of_call_works_on_every_medium(name: str, url: str, tmp_path: Path) -> None:
     if name == "trio":
         trio.run(use, unity_link.connect, url)
     elif name == "blocking":

@@ -1,4 +1,4 @@
-"""The ftdi: driver through unmodified pyftdi on a virtual chip, in real time and with real threads."""
+"""The ftdi: driver on a virtual chip, through unmodified pyftdi, in real time and with real threads."""
 
 from __future__ import annotations
 
@@ -50,12 +50,12 @@ def port_in(url: str) -> int:
 
 
 def port_at(device: VirtualFt232h, url: str) -> ChipPort:
-    """Return the port that a URL names."""
+    """Return the port of the chip that a URL names."""
     return device.chip.ports[port_in(url) - 1]
 
 
 def eeprom_for(url: str, channel_type: ChannelType, serial: str = "UL000001") -> bytes:
-    """Return an EEPROM that makes the port of a URL what it says, and another one the opposite."""
+    """Return an EEPROM that sets the port of a URL to `channel_type`, and the chip's other port to the other type."""
     kind, port = kind_in(url), port_in(url)
     if channel_type == "FIFO":
         return build_eeprom("FIFO", serial, kind=kind, ports=[port])
@@ -71,7 +71,7 @@ def plugged_in(
     image: bytes | None = None,
     **timing: Any,
 ) -> Iterator[VirtualFt232h]:
-    """Connect one chip to the machine's USB, and nothing else, with a gateway at the port of a URL."""
+    """Connect one chip to the machine's USB, as its only device, with a gateway at the port of a URL."""
     board = GatewayBoard(gateway or VirtualGateway(), mode)
     boards = (board,) if port_in(url) == 1 else (Unconnected(), board)
     device = VirtualFt232h(*boards, kind=kind_in(url), image=image or eeprom_for(url, "FIFO"), timing=Timing(**timing))
@@ -84,7 +84,7 @@ def plugged_in(
 
 
 class Recorder(asyncio.Protocol):
-    """Keeps what a driver says."""
+    """Records the bytes and events of a driver."""
 
     def __init__(self) -> None:
         self.received = b""
@@ -133,7 +133,7 @@ def place(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(params=["ftdi", "ftdi-async"])
 def url(request: pytest.FixtureRequest, place: str) -> str:
-    """Return the URL of the port that is plugged in, for either driver."""
+    """Return the URL of the connected port, for either driver."""
     return f"{request.param}://{place}"
 
 
@@ -163,7 +163,7 @@ async def close(recorder: Recorder) -> None:
         ("ftdi://virtual/scara", "virtual", "/scara"),
     ],
 )
-async def test_pyftdi_s_forms_of_urls_are_kept_as_they_are(url: str, host: str, path: str) -> None:
+async def test_the_url_forms_of_pyftdi_are_kept(url: str, host: str, path: str) -> None:
     parsed = parse_url(url + "?latency=2")
     assert (parsed.host, parsed.port, parsed.path, parsed.options) == (host, None, path, {"latency": "2"})
 
@@ -182,7 +182,7 @@ async def test_pyftdi_s_forms_of_urls_are_kept_as_they_are(url: str, host: str, 
         "speed=1",
     ],
 )
-async def test_an_option_that_no_chip_takes_is_refused_by_its_name(query: str) -> None:
+async def test_an_unknown_option_of_a_chip_is_refused_by_its_name(query: str) -> None:
     with pytest.raises(ArgumentError, match=query.rpartition("&")[2].partition("=")[0]):
         settings_of(parse_url(f"{URL}?{query}"))
 
@@ -218,14 +218,14 @@ async def test_every_mode_moves_bytes(url: str, mode: Mode) -> None:
         await close(recorder)
 
 
-async def test_a_virtual_chip_needs_nothing_but_its_url() -> None:
+async def test_a_virtual_chip_needs_only_its_url() -> None:
     async with unity_link.connect("ftdi://virtual/scara?id_digits=2") as link:
         assert link.gateway.id_digits == 2
         await link.write(0x94, 1000)
         assert await link.read(0x94) == 1000
 
 
-async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: str) -> None:
+async def test_bytes_written_in_many_pieces_arrive_complete_and_in_order(url: str) -> None:
     with plugged_in(url):
         recorder = await connect(url)
         for _ in range(1000):
@@ -236,7 +236,7 @@ async def test_what_is_written_in_many_pieces_arrives_whole_and_in_order(url: st
         await close(recorder)
 
 
-async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> None:
+async def test_a_closed_transport_has_written_all_its_bytes(url: str) -> None:
     gateway = VirtualGateway()
     with plugged_in(url, gateway) as device:
         recorder = await connect(url)
@@ -247,7 +247,7 @@ async def test_a_closed_transport_has_written_what_it_was_given(url: str) -> Non
         assert gateway.memory[0x11] == 7
 
 
-async def test_closing_ends_a_read_that_is_under_way(url: str) -> None:
+async def test_closing_ends_a_running_read(url: str) -> None:
     with plugged_in(url) as device:
         recorder = await connect(f"{url}?latency=255")
         await close(recorder)
@@ -258,7 +258,7 @@ async def test_closing_ends_a_read_that_is_under_way(url: str) -> None:
 
 async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None:
     with plugged_in(url, mode=Mode.SYNC_FIFO):
-        # In this mode its pins are dead: the chip takes what its FIFO holds, and no more.
+        # In this mode the gateway does not read its pins, so the chip accepts only as many bytes as its FIFO holds.
         recorder = await connect(url)
         while not recorder.paused:
             recorder.transport.write(bytes(8192))
@@ -267,7 +267,7 @@ async def test_a_gateway_that_does_not_read_pauses_the_program(url: str) -> None
         await recorder.lost()
 
 
-async def test_a_paused_reader_is_given_everything_later(url: str) -> None:
+async def test_a_paused_reader_gets_all_bytes_later(url: str) -> None:
     with plugged_in(url):
         recorder = await connect(url)
         recorder.transport.pause_reading()
@@ -293,7 +293,7 @@ async def test_a_packet_of_exactly_510_bytes_arrives(url: str) -> None:
 # Send-immediate
 
 
-async def test_the_driver_s_part_of_send_immediate_is_the_timer(url: str) -> None:
+async def test_the_driver_sets_the_latency_timer_for_send_immediate(url: str) -> None:
     with plugged_in(url) as device:
         recorder = await connect(url)
         choose = recorder.transport.get_extra_info("send_immediate")
@@ -306,7 +306,7 @@ async def test_the_driver_s_part_of_send_immediate_is_the_timer(url: str) -> Non
         await close(recorder)
 
 
-async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip(url: str) -> None:
+async def test_a_send_immediate_mode_reaches_gateway_and_chip(url: str) -> None:
     gateway = VirtualGateway()
     with plugged_in(url, gateway) as device:
         async with unity_link.connect(url) as link:
@@ -315,7 +315,7 @@ async def test_a_link_s_mode_of_send_immediate_reaches_gateway_and_chip(url: str
                 assert (gateway.send_immediate, port_at(device, url).latency) == (number, latency)
 
 
-async def test_what_the_url_says_of_the_timer_holds_for_every_mode(url: str) -> None:
+async def test_a_latency_timer_in_the_url_holds_for_every_mode(url: str) -> None:
     with plugged_in(url) as device:
         recorder = await connect(f"{url}?latency=7&event_char=0x0D")
         for mode in ("off", "always", "adaptive"):
@@ -359,7 +359,7 @@ async def test_a_call_on_an_unplugged_chip_raises_and_a_new_plug_in_is_found(url
             assert await link.read(1) == 0
 
 
-async def test_a_send_immediate_mode_for_a_chip_that_is_gone_is_a_lost_link(url: str) -> None:
+async def test_a_send_immediate_mode_for_an_unplugged_chip_is_a_lost_link(url: str) -> None:
     with plugged_in(url) as device:
         recorder = await connect(url)
         device.unplug()
@@ -368,7 +368,7 @@ async def test_a_send_immediate_mode_for_a_chip_that_is_gone_is_a_lost_link(url:
         assert "unplugged" in str(await recorder.lost())
 
 
-async def test_a_chip_that_is_unplugged_while_it_is_opened_is_told_so(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_chip_unplugged_while_it_is_opened_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     with plugged_in() as device:
 
         async def open_and_unplug(url: Any) -> Any:
@@ -399,7 +399,7 @@ async def test_a_link_reconnects_when_the_chip_is_plugged_in_again(url: str) -> 
         (lambda url: eeprom_for(url, "FIFO")[:-1] + b"\x55", "checksum"),
     ],
 )
-async def test_a_port_that_is_no_fifo_is_refused_with_what_to_do(
+async def test_a_port_that_is_no_fifo_is_refused_with_the_remedy(
     url: str, place: str, image_of: Callable[[str], bytes], words: str
 ) -> None:
     with plugged_in(url, image=image_of(url)), pytest.raises(ConnectError, match=words) as refused:
@@ -412,14 +412,14 @@ async def test_a_fifo_is_refused_as_a_uart(url: str) -> None:
         await connect(f"{url}?mode=uart")
 
 
-async def test_a_chip_in_use_by_another_program_is_told(url: str) -> None:
+async def test_a_chip_in_use_by_another_program_is_reported(url: str) -> None:
     with plugged_in(url) as device:
         device.claims[port_in(url) - 1] = object()
         with pytest.raises(ConnectError, match="in use by another program"):
             await connect(url)
 
 
-async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None:
+async def test_a_chip_that_this_program_has_open_is_refused(url: str) -> None:
     with plugged_in(url):
         recorder = await connect(url)
         with pytest.raises(ConnectError, match="in use"):
@@ -429,19 +429,19 @@ async def test_a_chip_that_this_program_has_open_is_not_shared(url: str) -> None
         await close(recorder)
 
 
-async def test_without_permission_the_udev_rule_is_named(url: str) -> None:
+async def test_the_error_without_permission_names_the_udev_rule(url: str) -> None:
     with plugged_in(url) as device:
         device.denied = True
         with pytest.raises(ConnectError, match=r"/etc/udev/rules\.d/70-ft232h\.rules"):
             await connect(url)
 
 
-async def test_a_chip_that_is_not_there_is_told(url: str) -> None:
+async def test_a_missing_chip_is_reported(url: str) -> None:
     with installed(VirtualBus()), pytest.raises(ConnectError, match="is it plugged in"):
         await connect(url)
 
 
-async def test_of_two_chips_the_serial_number_chooses(url: str) -> None:
+async def test_the_serial_number_selects_one_of_two_chips(url: str) -> None:
     def chip(serial: str) -> VirtualFt232h:
         return VirtualFt232h(
             GatewayBoard(VirtualGateway()), kind=kind_in(url), image=eeprom_for(url, "FIFO", serial=serial)
@@ -473,7 +473,7 @@ async def test_an_overrun_is_counted_and_logged_once(url: str, caplog: pytest.Lo
         await close(recorder)
 
 
-async def test_the_status_of_every_packet_of_a_read_is_looked_at() -> None:
+async def test_the_status_of_every_packet_of_a_read_is_checked() -> None:
     stripper = StatusStripper()
     good, bad = b"\x02\x60" + b"a" * 510, b"\x02\x62" + b"b" * 510
     assert stripper.strip(good + bad + b"\x02\x60c") == b"a" * 510 + b"b" * 510 + b"c"
@@ -491,9 +491,7 @@ async def test_a_stalled_endpoint_is_cleared(url: str, endpoint_of: Callable[[in
         await close(recorder)
 
 
-async def test_an_endpoint_that_stalls_again_and_again_is_a_lost_connection(
-    url: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_an_endpoint_that_keeps_stalling_is_a_lost_connection(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
     with plugged_in(url) as device:
         recorder = await connect(url)
         monkeypatch.setattr(device.chip, "halted", NeverCleared([in_endpoint(port_in(url))]))
@@ -508,7 +506,7 @@ class NeverCleared(set[int]):
         pass
 
 
-async def test_a_gateway_that_never_reads_is_told_after_a_while(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_gateway_that_never_reads_is_reported_after_a_while(url: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("unity_link.transport.ft232h.chip.WRITE_PATIENCE", 0.01)
     with plugged_in(url, mode=Mode.SYNC_FIFO):
         recorder = await connect(url)
@@ -524,7 +522,7 @@ async def test_a_cancelled_opening_leaves_the_chip_closed(url: str) -> None:
         opening.cancel()
         with pytest.raises(asyncio.CancelledError):
             await opening
-        # A thread of the loop opens it, and one of its own closes it.
+        # A thread of the event loop opens the chip, and a thread of its own closes it.
         await asyncio.get_running_loop().shutdown_default_executor()
         for thread in threading.enumerate():
             if thread.name == "ft232h close":
@@ -549,7 +547,7 @@ def two_ports(**settings: Any) -> Iterator[tuple[VirtualFt232h, VirtualGateway, 
         yield device, first, second
 
 
-async def test_both_ports_of_a_chip_are_links_of_their_own(both: tuple[str, str]) -> None:
+async def test_both_ports_of_a_chip_have_independent_links(both: tuple[str, str]) -> None:
     with two_ports() as (device, first, second):
         async with unity_link.connect(both[0]) as one:
             async with unity_link.connect(f"{both[1]}?latency=9") as other:
@@ -563,7 +561,7 @@ async def test_both_ports_of_a_chip_are_links_of_their_own(both: tuple[str, str]
         assert not device.claims
 
 
-async def test_a_port_that_this_program_has_open_is_not_shared_and_the_other_one_is_free(both: tuple[str, str]) -> None:
+async def test_an_open_port_is_refused_and_the_other_port_can_be_opened(both: tuple[str, str]) -> None:
     with two_ports():
         recorder = await connect(both[1])
         with pytest.raises(ConnectError, match="in use"):
@@ -577,7 +575,7 @@ async def test_a_port_that_this_program_has_open_is_not_shared_and_the_other_one
             await close(opened)
 
 
-async def test_another_program_at_one_port_leaves_the_other(both: tuple[str, str]) -> None:
+async def test_a_port_can_be_opened_if_another_program_uses_the_other_port(both: tuple[str, str]) -> None:
     with two_ports() as (device, _, _):
         device.claims[0] = object()
         await close(await connect(both[1]))
@@ -585,7 +583,7 @@ async def test_another_program_at_one_port_leaves_the_other(both: tuple[str, str
             await connect(both[0])
 
 
-async def test_an_unplug_ends_both_ports_and_both_are_found_again(both: tuple[str, str]) -> None:
+async def test_an_unplug_ends_both_ports_and_both_can_be_opened_again(both: tuple[str, str]) -> None:
     with two_ports() as (device, _, _):
         lost = [await connect(url) for url in both]
         device.unplug()
@@ -617,13 +615,13 @@ async def test_a_chip_without_a_high_speed_fifo_is_refused_by_its_name(product: 
         assert list_chips() == []
 
 
-async def test_the_rate_that_is_reported_is_that_of_pyftdi_and_of_the_chip() -> None:
+async def test_the_reported_rate_is_that_of_pyftdi_and_of_the_chip() -> None:
     url = f"{URL}?mode=uart"
     with plugged_in(mode=Mode.UART, image=eeprom_for(URL, "UART")) as device:
         chip = open_chip(parse_url(url))
         compared = 0
         for baud in [*range(184, 20_000, 171), *range(20_000, 12_000_000, 40_009), 6_000_000, 7_000_000, 8_000_000]:
-            # pyftdi refuses rates that are more than 3 % off.
+            # pyftdi refuses rates with an error of more than 3 %.
             with suppress(ValueError):
                 chip.ftdi.set_baudrate(baud)
                 assert made_of(baud) == chip.ftdi.baudrate == round(port_at(device, url).baud)

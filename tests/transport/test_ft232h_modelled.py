@@ -1,7 +1,7 @@
-"""The whole host on the chip's trade-off between latency and throughput, in modelled time alone.
+"""The chip's trade-off between latency and throughput, seen by the whole host in simulated time.
 
-The link, the overlapped driver and the virtual chip run on one simulated clock: what is asserted are USB times, exact
-and the same in every run, to which the host's own work comes on top.
+The link, the overlapped driver and the virtual chip run on one simulated clock. The tests assert USB times, which are
+exact and equal in every run; on a real machine the host's own processing time is added.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ async def linked() -> AsyncIterator[Link]:
 
 
 async def read_time(mode: Any) -> float:
-    """Return the median time of a lone read, in seconds."""
+    """Return the median time of a single read, in seconds."""
     loop = asyncio.get_running_loop()
     async with linked() as link:
         await link.send_immediate(mode)
         times = []
         for index in range(200):
-            # Not in step with the microframes.
+            # Start each read at another offset from the microframes.
             await asyncio.sleep((index * 37 % 125) * 1e-6)
             start = loop.time()
             await link.read(index % 256)
@@ -57,7 +57,7 @@ async def read_time(mode: Any) -> float:
 
 
 async def read_rate(mode: Any) -> float:
-    """Return the rate of answers in a batch of reads, in bytes a second."""
+    """Return the rate of answers in a batch of reads, in bytes per second."""
     loop = asyncio.get_running_loop()
     async with linked() as link:
         await link.send_immediate(mode)
@@ -67,11 +67,11 @@ async def read_rate(mode: Any) -> float:
 
 
 @pytest.mark.parametrize("mode", ["always", "adaptive"])
-def test_a_lone_read_takes_two_microframes_at_most(mode: str) -> None:
+def test_a_single_read_takes_at_most_two_microframes(mode: str) -> None:
     assert run_simulated(read_time(mode)) <= 2 * MICROFRAME + 1e-9
 
 
-def test_a_lone_read_without_send_immediate_waits_for_the_latency_timer() -> None:
+def test_a_single_read_without_send_immediate_waits_for_the_latency_timer() -> None:
     assert 0.010 < run_simulated(read_time("off")) <= 0.016 + 3 * MICROFRAME
 
 
@@ -95,7 +95,7 @@ async def test_posted_writes_fill_the_link() -> None:
         for index in range(READS):
             await link.post(index % 256, index)
         await link.fence()
-        # `ws`, ID, address, word, check and line end.
+        # `ws`, ID, address, word, CRC and line end.
         assert READS * len("wsiiiAADDDDDDDDcccc\n") / (loop.time() - start) >= 0.95 * FIFO_RATE
 
 

@@ -1,4 +1,4 @@
-"""Links over the media of the operating system, to a gateway in another process, which may be killed."""
+"""Links over the media of the operating system to a gateway in another process, which may be killed."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ if TYPE_CHECKING:
 
 SERVER = Path(__file__).with_name("serve.py")
 PORTS = ["serial", "pyserial-asyncio"]
-"""Serial ports, by the default library and by the other one."""
+"""Serial ports, opened by the default library and by the alternative one."""
 STREAMS = [*PORTS, "tcp", "unix"]
 MEDIA = [*STREAMS, "udp"]
 
 
 @pytest.fixture
 def serve(tmp_path: Path) -> Iterator[Callable[..., tuple[str, subprocess.Popen[str]]]]:
-    """Start gateways in processes of their own; gives URL and process of each."""
+    """Yield a function that starts a gateway in a process of its own and returns its URL and process."""
     with contextlib.ExitStack() as stack:
 
         def start(medium: str, loss: float = 0.0) -> tuple[str, subprocess.Popen[str]]:
@@ -54,7 +54,7 @@ def serve(tmp_path: Path) -> Iterator[Callable[..., tuple[str, subprocess.Popen[
 
 
 def by_library(url: str, medium: str) -> str:
-    """Return the URL of a port for one of `PORTS`, any other as it is."""
+    """Return the URL of a port with the library of one of `PORTS`, any other URL unchanged."""
     return f"{url}?library={medium}" if medium in PORTS[1:] else url
 
 
@@ -66,7 +66,7 @@ async def hold(url: str) -> None:
 @pytest.mark.asyncio
 @pytest.mark.parametrize("turns", range(12))
 @pytest.mark.parametrize("library", PORTS)
-async def test_a_port_is_free_again_when_a_connection_to_it_was_cancelled(library: str, turns: int) -> None:
+async def test_a_port_is_free_after_a_cancelled_connection(library: str, turns: int) -> None:
     async with serve_pty(VirtualGateway()) as served:
         url = by_library(served, library)
         opening = asyncio.create_task(hold(url))
@@ -113,7 +113,7 @@ async def test_a_link_makes_up_for_lost_bytes_over_every_medium(
 @pytest.mark.slow
 @pytest.mark.asyncio
 @pytest.mark.parametrize("medium", MEDIA)
-async def test_a_gateway_that_is_killed_raises_in_every_call_that_waits(
+async def test_a_killed_gateway_raises_in_every_waiting_call(
     serve: Callable[..., tuple[str, subprocess.Popen[str]]], medium: str
 ) -> None:
     url, process = serve(medium)
@@ -162,12 +162,12 @@ async def test_a_link_may_be_opened_again_after_it_was_closed(medium: str, tmp_p
                 await link.write(1, value + 1)
 
 
-# What can't be opened
+# Media that cannot be opened
 
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("library", PORTS)
-async def test_a_port_that_is_in_use_is_one_clear_error(library: str) -> None:
+async def test_a_port_in_use_causes_one_clear_error(library: str) -> None:
     async with serve_pty(VirtualGateway()) as served, unity_link.connect(served) as link:
         url = by_library(served, library)
         with pytest.raises(ConnectError, match="in use by another program"):
@@ -190,7 +190,7 @@ async def test_a_port_that_is_in_use_is_one_clear_error(library: str) -> None:
         ("mmio:/dev/zero?size=4096&offset=0x10000000000000000", "it cannot be mapped"),
     ],
 )
-async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> None:
+async def test_a_missing_medium_causes_one_clear_error(url: str, message: str) -> None:
     with pytest.raises(ConnectError, match=message) as caught:
         await unity_link.connect(url)
     assert "\n" not in str(caught.value)
@@ -224,7 +224,7 @@ async def test_what_is_not_there_is_one_clear_error(url: str, message: str) -> N
         "sim:?snoop=a\0b",
     ],
 )
-async def test_a_url_that_cannot_be_is_refused_before_anything_is_opened(url: str) -> None:
+async def test_an_impossible_url_is_refused_before_a_port_is_opened(url: str) -> None:
     with pytest.raises(ArgumentError):
         await unity_link.connect(url)
 
@@ -233,19 +233,19 @@ async def test_a_url_that_cannot_be_is_refused_before_anything_is_opened(url: st
 @pytest.mark.parametrize(
     ("url", "meant"), [("unix://tmp/x", "unix:/tmp/x"), ("serial://dev/ttyS9", "serial:/dev/ttyS9")]
 )
-async def test_a_folder_that_stands_where_hosts_do_is_told(url: str, meant: str) -> None:
+async def test_a_url_with_a_path_in_place_of_a_host_is_corrected(url: str, meant: str) -> None:
     with pytest.raises(ArgumentError, match=f"did you mean {meant}\\?"):
         await unity_link.connect(url)
 
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("name", ["a#b", "a+b", "a&b"])
-async def test_a_socket_may_have_any_name_that_is_no_question(tmp_path: Path, name: str) -> None:
+async def test_the_name_of_a_socket_may_have_any_character_but_a_question_mark(tmp_path: Path, name: str) -> None:
     async with serve_unix(VirtualGateway(), tmp_path / name) as url, unity_link.connect(url) as link:
         assert await link.read(0) == 0
 
 
-def test_a_token_is_what_it_is() -> None:
+def test_a_token_is_taken_literally() -> None:
     assert parse_url("tcp://robot:1?token=q1+Zb/8=&map=any").options == {"token": "q1+Zb/8=", "map": "any"}
     assert parse_url("tcp://robot:1?token=a#%2B%23").options == {"token": "a#+#"}
 
@@ -263,14 +263,14 @@ def test_a_timeout_that_is_no_number_of_seconds_is_refused(timeout: float) -> No
         blocking.connect("tcp://127.0.0.1:1", timeout=timeout)
 
 
-def test_every_scheme_has_a_driver_that_says_which_options_it_takes() -> None:
+def test_every_scheme_has_a_driver_that_lists_its_options() -> None:
     for scheme in ["serial", "tcp", "unix", "udp", "sim"]:
         assert isinstance(load_driver(scheme).OPTIONS, frozenset)
         assert parse_url(f"{scheme}:x").scheme == scheme
 
 
 @pytest.mark.asyncio
-async def test_a_port_without_permission_says_which_group_to_join(
+async def test_the_error_without_permission_names_the_group_to_join(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(path: str, *_: object, **__: object) -> int:
@@ -282,7 +282,7 @@ async def test_a_port_without_permission_says_which_group_to_join(
 
 
 @pytest.mark.asyncio
-async def test_a_datagram_port_where_nobody_listens_is_told_at_once() -> None:
+async def test_a_datagram_port_without_a_listener_is_reported_at_once() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as unused:
         unused.bind(("127.0.0.1", 0))
         port = unused.getsockname()[1]
@@ -293,7 +293,7 @@ async def test_a_datagram_port_where_nobody_listens_is_told_at_once() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_datagram_port_where_nobody_answers_times_out_with_what_to_check() -> None:
+async def test_the_error_for_a_silent_datagram_port_says_what_to_check() -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as silent:
         silent.bind(("127.0.0.1", 0))
         port = silent.getsockname()[1]
@@ -302,18 +302,18 @@ async def test_a_datagram_port_where_nobody_answers_times_out_with_what_to_check
 
 
 @pytest.mark.asyncio
-async def test_a_library_that_is_not_installed_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_the_error_for_a_missing_library_says_how_to_install_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "serial_asyncio", None)
     _transport_class.cache_clear()
     with pytest.raises(ConnectError, match=r"is not installed here: pip install 'unity-link\[pyserial-asyncio\]'"):
         await unity_link.connect("serial:/dev/ttyUSB0?library=pyserial-asyncio")
 
 
-# What a port tells
+# Events of a port
 
 
 class Listener(asyncio.Protocol):
-    """Keeps what a transport tells."""
+    """Records the events of a transport."""
 
     def __init__(self) -> None:
         self.paused = asyncio.Event()
@@ -331,7 +331,7 @@ class Listener(asyncio.Protocol):
 
 
 class Terminal:
-    """A pseudo-terminal: a port for a program, and the other end of it."""
+    """A pseudo-terminal: a port for a program, and the other end of the port."""
 
     def __init__(self) -> None:
         self.other_end, self._port = pty.openpty()
@@ -351,14 +351,14 @@ class Terminal:
         return bytes(received)
 
     def unplug(self) -> None:
-        """End both sides."""
+        """Close both ends."""
         os.close(self.other_end)
         os.close(self._port)
 
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("library", PORTS)
-async def test_a_pseudo_terminal_is_known_to_answer_as_soon_as_a_socket(library: str) -> None:
+async def test_a_pseudo_terminal_has_the_shortest_time_out_of_a_socket(library: str) -> None:
     terminal = Terminal()
     stream = Stream()
     await terminal.connect(library, stream)
@@ -369,7 +369,7 @@ async def test_a_pseudo_terminal_is_known_to_answer_as_soon_as_a_socket(library:
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("library", PORTS)
-async def test_more_than_a_port_takes_is_held_back_and_arrives_whole(library: str) -> None:
+async def test_bytes_that_a_port_cannot_take_yet_are_sent_later(library: str) -> None:
     terminal, listener = Terminal(), Listener()
     transport = await terminal.connect(library, listener)
     sent = os.urandom(500_000)
@@ -391,7 +391,7 @@ async def test_more_than_a_port_takes_is_held_back_and_arrives_whole(library: st
 @pytest.mark.asyncio
 @pytest.mark.parametrize("library", PORTS)
 @pytest.mark.parametrize("unsent", [0, 500_000])
-async def test_a_port_that_is_unplugged_is_a_lost_connection_and_no_complaint(library: str, unsent: int) -> None:
+async def test_an_unplugged_port_is_a_lost_connection_without_a_logged_error(library: str, unsent: int) -> None:
     terminal, listener = Terminal(), Listener()
     transport = await terminal.connect(library, listener)
     transport.write(bytes(unsent))
@@ -404,7 +404,7 @@ async def test_a_port_that_is_unplugged_is_a_lost_connection_and_no_complaint(li
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("medium", [*PORTS, "tcp"])
-async def test_a_gateway_that_does_not_read_for_a_while_gets_everything_in_the_end(
+async def test_a_gateway_that_pauses_its_reads_gets_all_bytes(
     serve: Callable[..., tuple[str, subprocess.Popen[str]]], medium: str
 ) -> None:
     url, process = serve(medium)

@@ -1,4 +1,4 @@
-"""Pollers of file descriptors spin where answers are quick, and sleep everywhere else."""
+"""Pollers of file descriptors spin while they wait for quick answers, and sleep otherwise."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ if TYPE_CHECKING:
 DESCRIPTOR = 3
 READY = [(DESCRIPTOR, READABLE)]
 LOOK = SPIN / 10
-"""Duration of a look, which does not sleep."""
+"""Seconds of one poll without sleeping."""
 QUICK, SLOW = SPIN * 0.7, SPIN * 20
 ROUNDING = 1e-12
-"""Seconds by which sums of times may differ that are the same."""
+"""Seconds by which equal sums of times may differ."""
 FEWEST_SLOW = 8
-"""Slow answers in a row that end the spinning."""
+"""Number of consecutive slow answers that end the spinning."""
 
 
 class ModelledSelector:
-    """A selector on a clock of its own, with one descriptor that is ready at a time."""
+    """A selector on a clock of its own, with a single descriptor that becomes ready at `ready_at`."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -63,27 +63,27 @@ def modelled(processors: int = 2) -> tuple[Poller, ModelledSelector]:
 
 
 def answer(poller: Poller, model: ModelledSelector, after: float, *, may_spin: bool = True) -> None:
-    """Wait for what comes after some seconds, and expect it."""
+    """Wait for an answer that arrives after some seconds, and assert that it was found."""
     model.looks = model.sleeps = 0
     model.ready_at = model.now + after
     assert poller.wait(1.0, may_spin=may_spin) == READY
 
 
-def test_a_quick_answer_is_waited_for_without_sleeping_from_the_first_on() -> None:
+def test_the_poller_spins_for_a_quick_answer_from_the_first_on() -> None:
     poller, model = modelled()
     for _ in range(3):
         answer(poller, model, QUICK)
         assert (model.looks, model.sleeps) == (7, 0)
 
 
-def test_a_slow_answer_ends_the_spinning_at_its_limit() -> None:
+def test_the_poller_stops_spinning_for_a_slow_answer_at_the_limit() -> None:
     poller, model = modelled()
     answer(poller, model, SLOW)
     assert model.looks <= SPIN / LOOK + 1
     assert model.sleeps == 1
 
 
-def test_where_the_first_answer_is_slow_no_other_is_waited_for_by_spinning() -> None:
+def test_the_poller_does_not_spin_after_a_slow_first_answer() -> None:
     poller, model = modelled()
     answer(poller, model, SLOW)
     for _ in range(3):
@@ -91,7 +91,7 @@ def test_where_the_first_answer_is_slow_no_other_is_waited_for_by_spinning() -> 
         assert (model.looks, model.sleeps) == (0, 1)
 
 
-def test_some_slow_answers_in_a_row_end_the_spinning_and_a_quick_one_begins_it_again() -> None:
+def test_slow_answers_end_the_spinning_and_a_quick_one_resumes_it() -> None:
     poller, model = modelled()
     answer(poller, model, QUICK)
     for _ in range(FEWEST_SLOW):
@@ -106,14 +106,14 @@ def test_some_slow_answers_in_a_row_end_the_spinning_and_a_quick_one_begins_it_a
 
 
 @pytest.mark.parametrize(("processors", "may_spin"), [(1, True), (2, False)], ids=["one-processor", "not-in-a-call"])
-def test_nothing_spins_where_it_would_keep_others_from_running(processors: int, may_spin: bool) -> None:
+def test_the_poller_does_not_spin_if_it_would_block_others(processors: int, may_spin: bool) -> None:
     poller, model = modelled(processors)
     for _ in range(3):
         answer(poller, model, QUICK, may_spin=may_spin)
         assert (model.looks, model.sleeps) == (0, 1)
 
 
-def test_a_wait_that_found_nothing_is_not_a_short_one() -> None:
+def test_a_wait_without_a_result_does_not_count_as_quick() -> None:
     poller, model = modelled()
     assert poller.wait(SPIN / 2, may_spin=True) == []
     answer(poller, model, QUICK)
@@ -124,7 +124,7 @@ SELECTORS = list(dict.fromkeys([default_selector, PortableSelector]))
 
 
 @pytest.mark.parametrize("selector", SELECTORS)
-def test_what_is_registered_again_is_waited_for_as_was_said_last(selector: Callable[[], Selector]) -> None:
+def test_a_descriptor_registered_again_has_its_last_events(selector: Callable[[], Selector]) -> None:
     ours, theirs = socket.socketpair()
     with ours, theirs:
         poller = Poller(selector())
@@ -152,7 +152,7 @@ def test_what_is_registered_again_is_waited_for_as_was_said_last(selector: Calla
         max_size=8,
     )
 )
-def test_a_wait_finds_what_comes_in_time_and_ends_in_time_with_spinning_and_without(
+def test_a_wait_finds_an_answer_in_time_and_ends_at_its_time_out(
     waits: list[tuple[float, float, bool]],
 ) -> None:
     poller, model = modelled()
@@ -160,7 +160,7 @@ def test_a_wait_finds_what_comes_in_time_and_ends_in_time_with_spinning_and_with
         begin = model.now
         model.ready_at = begin + after
         found = poller.wait(patience, may_spin=may_spin)
-        # A look may end after what it looked for, and what is left of the patience may be none.
+        # A poll may end after the answer arrived, even if no patience is left.
         assert found == READY or after > patience
         assert model.ready_at <= model.now if found else model.now >= begin + patience - ROUNDING
         assert model.now <= begin + min(after, patience) + 2 * LOOK

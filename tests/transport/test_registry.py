@@ -1,4 +1,4 @@
-"""Media are registered by schemes: those of the package, of a program of the user's, and of other packages."""
+"""Media are registered by URL schemes: by this package, by a user's program, and by other packages."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ PACKAGE = """
 
 
 class MediumOfOne:
-    """A driver that is an object, of a gateway of its own."""
+    """A driver that is an object and has a gateway of its own."""
 
     OPTIONS = frozenset({"word"})
 
@@ -54,13 +54,13 @@ class MediumOfOne:
 
 @pytest.fixture(autouse=True)
 def own_registry(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Restore the registry behind each test."""
+    """Restore the registry after each test."""
     monkeypatch.setattr(transport, "_DRIVERS", dict(transport._DRIVERS))
 
 
 @pytest.fixture
 def install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Path]:
-    """Install packages with a medium each, as pip would; gives the folder."""
+    """Yield a function that installs a package with a medium, as pip would, and returns the folder."""
     monkeypatch.syspath_prepend(tmp_path)
 
     def write(package: str, entry: str, source: str = PACKAGE) -> Path:
@@ -96,7 +96,7 @@ async def test_a_program_adds_a_medium_by_the_name_of_a_module(install: Callable
 
 
 @pytest.mark.asyncio
-async def test_an_option_that_a_medium_of_the_users_does_not_know_is_refused() -> None:
+async def test_an_option_unknown_to_a_users_medium_is_refused() -> None:
     register("one", MediumOfOne())
     with pytest.raises(
         ArgumentError, match=r"unknown option 'words' in .*: one: takes compact, echo, map, node, snoop, word"
@@ -127,7 +127,7 @@ def test_an_object_that_is_no_driver_is_refused() -> None:
         register("one", SimpleNamespace(connect=print))
 
 
-def test_a_module_that_is_no_driver_or_is_not_there_is_one_sentence_when_it_is_asked_for() -> None:
+def test_the_error_for_a_module_that_is_no_driver_is_one_sentence() -> None:
     register("one", "textwrap")
     with pytest.raises(
         ArgumentError, match=r"^textwrap is no driver for one: because it has no connect and no OPTIONS$"
@@ -140,7 +140,7 @@ def test_a_module_that_is_no_driver_or_is_not_there_is_one_sentence_when_it_is_a
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("error", [FileNotFoundError(2, "No such file or directory"), TimeoutError()])
-async def test_what_the_system_refuses_a_driver_is_a_connect_error(error: OSError) -> None:
+async def test_an_operating_system_error_of_a_driver_is_a_connect_error(error: OSError) -> None:
     class Refused(MediumOfOne):
         async def connect(self, url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
             raise error
@@ -150,7 +150,7 @@ async def test_what_the_system_refuses_a_driver_is_a_connect_error(error: OSErro
         await unity_link.connect("one:x")
 
 
-# Of other packages
+# Media of other packages
 
 
 @pytest.mark.asyncio
@@ -163,7 +163,7 @@ async def test_an_installed_package_adds_a_medium_by_an_entry_point(
     assert await first_word("installed:?word=7") == 7
 
 
-def test_the_command_line_knows_the_media_of_installed_packages(install: Callable[..., Path]) -> None:
+def test_the_command_line_accepts_the_media_of_installed_packages(install: Callable[..., Path]) -> None:
     folder = install("medium-package", "installed = medium_package")
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(ROOT)])}
     command = [str(Path(sys.executable).with_name("unity-link")), "read", "installed:?word=7", "0"]
@@ -171,13 +171,13 @@ def test_the_command_line_knows_the_media_of_installed_packages(install: Callabl
     assert done.stdout.split() == ["0x00", "0x00000007", "7"]
 
 
-def test_an_unknown_scheme_names_the_media_that_there_are(install: Callable[..., Path]) -> None:
+def test_the_error_for_an_unknown_scheme_lists_the_media(install: Callable[..., Path]) -> None:
     install("medium-package", "installed = medium_package")
     with pytest.raises(ArgumentError, match=r"'nothing:' is no URL of a gateway: .*serial:, .*sim:, .*installed:"):
         parse_url("nothing:")
 
 
-def test_a_medium_of_two_packages_is_refused_by_their_names(install: Callable[..., Path]) -> None:
+def test_the_error_for_a_medium_of_two_packages_names_both(install: Callable[..., Path]) -> None:
     install("one-package", "both = one_package")
     install("other-package", "both = other_package")
     with pytest.raises(ArgumentError, match=r"^both: is a medium of several packages \(one-package, other-package\)"):
@@ -191,7 +191,7 @@ def test_a_medium_of_two_packages_is_refused_by_their_names(install: Callable[..
         ("broken = broken_package:DRIVER", "cannot be imported .module 'broken_package' has no attribute 'DRIVER'"),
     ],
 )
-def test_a_package_that_cannot_be_imported_is_one_sentence(
+def test_the_error_for_a_package_that_cannot_be_imported_is_one_sentence(
     install: Callable[..., Path], entry: str, sentence: str
 ) -> None:
     install("broken-package", entry)
@@ -199,11 +199,11 @@ def test_a_package_that_cannot_be_imported_is_one_sentence(
         parse_url("broken:")
 
 
-# What an import loads
+# Modules that an import loads
 
 
 def modules_after(code: str, *arguments: str) -> set[str]:
-    """Return what a new Python has imported when it has run some code."""
+    """Return the modules that a new Python process has imported after it ran some code."""
     program = f"{textwrap.dedent(code)}\nimport sys; print(*sys.modules)"
     done = subprocess.run(
         [sys.executable, "-c", program, *arguments], capture_output=True, text=True, check=True, cwd=ROOT
@@ -211,7 +211,7 @@ def modules_after(code: str, *arguments: str) -> set[str]:
     return set(done.stdout.split())
 
 
-def test_installed_packages_are_looked_through_only_for_a_scheme_that_is_not_registered() -> None:
+def test_installed_packages_are_searched_only_for_an_unknown_scheme() -> None:
     known = modules_after("from unity_link.transport import parse_url; parse_url('serial:/dev/ttyUSB0')")
     assert "importlib.metadata" not in known
 
@@ -242,7 +242,7 @@ FINDS_NO_CHIP = """
 
 
 @pytest.mark.parametrize("medium", ["serial", "tcp", "unix", "udp"])
-def test_a_link_to_hardware_imports_nothing_of_the_simulator(medium: str, tmp_path: Path) -> None:
+def test_a_link_to_hardware_does_not_import_the_simulator(medium: str, tmp_path: Path) -> None:
     command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
@@ -253,7 +253,7 @@ def test_a_link_to_hardware_imports_nothing_of_the_simulator(medium: str, tmp_pa
 
 
 @pytest.mark.parametrize("scheme", ["ftdi", "ftdi-async"])
-def test_the_drivers_of_an_ft232h_import_nothing_of_the_simulator(scheme: str) -> None:
+def test_the_drivers_of_an_ft232h_do_not_import_the_simulator(scheme: str) -> None:
     loaded = modules_after(FINDS_NO_CHIP, f"{scheme}://ftdi:232h:NOSUCHCHIP/1")
     assert "unity_link.transport.ft232h.chip" in loaded
     assert {name for name in loaded if name.startswith("unity_link.virtual")} == set()
@@ -266,12 +266,12 @@ def gateway_on_pipes() -> str:
     return f"pipes:{shlex.join([sys.executable, str(ROOT / 'examples' / 'gateway_on_pipes.py')])}"
 
 
-def test_the_example_of_an_own_medium_runs() -> None:
+def test_the_example_of_a_users_medium_runs() -> None:
     command = [sys.executable, str(ROOT / "examples" / "own_medium.py")]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout == "42\n"
 
 
-def test_an_own_medium_works_on_uvloop() -> None:
+def test_a_users_medium_works_on_uvloop() -> None:
     async def use() -> None:
         async with unity_link.connect(gateway_on_pipes()) as link:
             await link.write_block(0, range(256))
@@ -282,7 +282,7 @@ def test_an_own_medium_works_on_uvloop() -> None:
 
 
 @pytest.mark.asyncio
-async def test_an_own_medium_whose_program_ends_is_a_lost_link() -> None:
+async def test_the_link_is_lost_when_the_program_of_a_users_medium_ends() -> None:
     async with unity_link.connect(gateway_on_pipes()) as link:
         assert await link.read(0) == 0
         stream = link._flow.stream
@@ -303,6 +303,8 @@ async def test_an_own_medium_whose_program_ends_is_a_lost_link() -> None:
         (f"pipes:{sys.executable} -c pass", ConnectError, "the connection ended before the gateway answered"),
     ],
 )
-async def test_a_program_that_cannot_be_is_one_sentence(url: str, error: type[Exception], sentence: str) -> None:
+async def test_the_error_for_an_impossible_program_is_one_sentence(
+    url: str, error: type[Exception], sentence: str
+) -> None:
     with pytest.raises(error, match=sentence):
         await unity_link.connect(url)

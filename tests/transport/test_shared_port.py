@@ -1,4 +1,4 @@
-"""One port of the system that the links of a program share, in whatever thread or loop they are."""
+"""One port of the system that all links of a program share, in whatever thread or event loop they run."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def in_a_loop(test: Callable[P, Coroutine[Any, Any, None]]) -> Callable[P, None]
 
 @pytest.fixture(params=[serve_pty, serve_tcp], ids=["pty", "tcp"])
 def served(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[tuple[SharedLine, str]]:
-    """Serve a line of four nodes from a thread, and check that no request was sent while an answer was outstanding."""
-    # A board answers in time; a thread of a machine that has other things to do may not.
+    """Serve a line of four nodes from a thread; assert that no request was sent while an answer was pending."""
+    # Wait longer than for a board: the thread that answers may be delayed on a busy machine.
     for name in ("session.ANSWER_PATIENCE", "session._UNKNOWN_PATIENCE", "handshake.FIRST_TRY"):
         monkeypatch.setattr(f"unity_link.protocol.host.{name}", 10.0)
     with serving(request.param) as (line, url):
@@ -89,7 +89,7 @@ async def all_nodes(url: str) -> AsyncIterator[list[unity_link.Link]]:
         yield [await stack.enter_async_context(unity_link.connect(f"{url}{node}")) for node in NODES]
 
 
-def test_in_one_event_loop(served: tuple[SharedLine, str]) -> None:
+def test_links_share_a_port_in_one_event_loop(served: tuple[SharedLine, str]) -> None:
     asyncio.run(_in_one_event_loop(served[1]))
 
 
@@ -100,7 +100,7 @@ async def _in_one_event_loop(url: str) -> None:
         assert [set(some) for some in words] == [{0}, {1}, {2}, {3}]
 
 
-def test_in_blocking_code_of_one_thread_and_of_several(served: tuple[SharedLine, str]) -> None:
+def test_links_share_a_port_in_blocking_code_of_one_or_more_threads(served: tuple[SharedLine, str]) -> None:
     with ExitStack() as stack:
         links = [stack.enter_context(blocking.connect(f"{served[1]}{node}")) for node in NODES]
         for _ in range(10):
@@ -121,7 +121,7 @@ def test_in_blocking_code_of_one_thread_and_of_several(served: tuple[SharedLine,
         assert [link.read(2) for link in links] == [49] * 4
 
 
-def test_under_trio_and_in_blocking_code_at_a_time(served: tuple[SharedLine, str]) -> None:
+def test_links_share_a_port_under_trio_and_in_blocking_code_at_once(served: tuple[SharedLine, str]) -> None:
     async def main() -> None:
         async with unity_link.connect(served[1] + "1") as link:
             for value in range(50):
@@ -137,7 +137,7 @@ def test_under_trio_and_in_blocking_code_at_a_time(served: tuple[SharedLine, str
         thread.join()
 
 
-def test_a_blocking_link_that_nobody_calls_does_not_hold_up_the_others() -> None:
+def test_an_idle_blocking_link_does_not_delay_the_others() -> None:
     with (
         serving(serve_pty) as (line, url),
         blocking.connect(url + "1") as link,
@@ -157,7 +157,7 @@ async def _impatient(link: unity_link.Link) -> None:
 
 
 @in_a_loop
-async def test_with_other_settings_it_is_refused_in_a_sentence() -> None:
+async def test_sharing_a_port_with_other_settings_is_refused() -> None:
     line = build_shared_line(NODES)
     async with serve_pty(line) as url, unity_link.connect(f"{url}?node=1"):
         async with unity_link.connect(f"{url}?node=2&baud=115200&rtscts=0"):
@@ -171,7 +171,7 @@ async def test_with_other_settings_it_is_refused_in_a_sentence() -> None:
 
 
 @in_a_loop
-async def test_a_gateway_with_a_number_that_is_alone_and_not_half_duplex_has_all_in_flight_that_it_can() -> None:
+async def test_a_single_full_duplex_node_has_a_full_window_in_flight() -> None:
     async with serve_pty(VirtualGateway(node=5)) as url, unity_link.connect(f"{url}?node=5") as link:
         for _ in range(5):
             writes = [asyncio.ensure_future(link.write(number % 256, number)) for number in range(500)]
@@ -188,7 +188,7 @@ async def test_a_gateway_with_a_number_that_is_alone_and_not_half_duplex_has_all
 
 
 @in_a_loop
-async def test_a_port_that_a_node_has_for_itself_is_opened_again_when_it_was_lost() -> None:
+async def test_a_port_with_a_single_node_is_opened_again_after_a_loss() -> None:
     async with AsyncExitStack() as stack:
         async with serve_tcp(VirtualGateway(node=5)) as url:
             link = await stack.enter_async_context(unity_link.connect(f"{url}?node=5", reconnect=True))
@@ -198,9 +198,7 @@ async def test_a_port_that_a_node_has_for_itself_is_opened_again_when_it_was_los
 
 
 @pytest.mark.parametrize("lost", [False, True])
-def test_a_port_that_is_opened_again_while_an_answer_is_owed_is_waited_for(
-    lost: bool, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_link_waits_for_a_port_that_is_reopened_during_an_answer(lost: bool, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared_port, "_OWED", {})
     with serving(serve_pty) as (_, url):
         first = open_shared_channel(url + "1")
@@ -222,13 +220,13 @@ def open_shared_channel(url: str) -> SharedChannel:
 
 
 @in_a_loop
-async def test_a_port_that_is_lost_is_lost_to_all_and_opened_anew(tmp_path: Path) -> None:
+async def test_a_lost_port_is_lost_to_all_links_and_opened_again(tmp_path: Path) -> None:
     path = tmp_path / "port"
     async with AsyncExitStack() as stack:
         async with serve_pty(build_shared_line(NODES), path):
             again = await stack.enter_async_context(unity_link.connect(f"serial:{path}?node=1", reconnect=True))
             once = await stack.enter_async_context(unity_link.connect(f"serial:{path}?node=2"))
-            # One that says nothing: only another link can tell it.
+            # This link sends no request, so only the other link can report the loss to it.
         with pytest.raises(LinkLostError):
             await once.read(0)
         async with serve_pty(build_shared_line(NODES), path):
@@ -239,7 +237,7 @@ async def test_a_port_that_is_lost_is_lost_to_all_and_opened_anew(tmp_path: Path
 
 
 @in_a_loop
-async def test_who_gives_up_while_the_port_is_opened_leaves_the_node_to_the_next() -> None:
+async def test_a_link_cancelled_while_its_port_is_opened_frees_its_node() -> None:
     entered, held = threading.Event(), threading.Event()
     opened = serial.open_channel
 
@@ -266,7 +264,7 @@ async def test_who_gives_up_while_the_port_is_opened_leaves_the_node_to_the_next
     assert not shared_port._PORTS
 
 
-def test_all_that_came_between_two_turns_is_dropped_also_where_a_read_gives_a_part_of_it() -> None:
+def test_all_bytes_that_arrived_between_two_turns_are_dropped() -> None:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
     port = SharedPort(("a port",), parse_url("tcp://gateway:1?node=1"), {})
     port.channel = SocketChannel(ours)

@@ -1,4 +1,4 @@
-"""Links over networks that carry only short packets, and drop longer ones without a report, by real sockets."""
+"""Links over networks that silently drop packets above a length, by real sockets."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WORDS = [*range(500)]
 
 
 async def use(link: unity_link.Link) -> None:
-    """Move blocks and single words."""
+    """Transfer blocks and single words."""
     await link.write_block(0, WORDS)
     assert (await link.read_block(0, len(WORDS))).tolist() == WORDS
     await link.write_many(WORDS, WORDS[::-1])
@@ -33,7 +33,7 @@ async def use(link: unity_link.Link) -> None:
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize(("mtu", "tried"), [(1500, 0), (1280, 2), (576, 4)])
-async def test_a_link_finds_how_long_packets_may_be_and_loses_none(mtu: int, tried: int) -> None:
+async def test_a_link_finds_the_longest_packet_without_a_loss(mtu: int, tried: int) -> None:
     async with short_path(mtu) as (url, towards, back), unity_link.connect(url) as link:
         assert len(towards.dropped) == tried
         await use(link)
@@ -49,12 +49,12 @@ async def test_packets_of_both_directions_keep_to_the_mtu_of_the_url(mtu: int) -
     async with short_path(1500) as (url, towards, back), unity_link.connect(f"{url}?mtu={mtu}") as link:
         await use(link)
         assert max(towards.passed) == mtu
-        # The answers to what is repeated come in one datagram with the first ones.
+        # The answers to retransmitted requests arrive in one datagram with the first answers.
         assert mtu - 200 < max(back.passed)
         assert max(back.passed) <= mtu or link.statistics.repetitions
 
 
-def test_blocking_code_finds_how_long_packets_may_be() -> None:
+def test_blocking_code_finds_the_longest_packet() -> None:
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(short_path(576)) as (url, *_),
@@ -91,7 +91,7 @@ async def test_one_request_of_a_core_is_no_longer_than_a_packet() -> None:
 
 
 @pytest.mark.asyncio
-async def test_clients_of_a_server_learn_how_long_blocks_may_be() -> None:
+async def test_a_server_reports_the_longest_block_to_its_clients() -> None:
     async with short_path(576) as (url, *_):
         shared = SharedLink(parse_url(url), lambda _: None)
         await shared.open(5)
@@ -102,7 +102,7 @@ async def test_clients_of_a_server_learn_how_long_blocks_may_be() -> None:
 
 @pytest.mark.asyncio
 @pytest.mark.slow
-async def test_a_link_that_reconnects_finds_that_the_way_back_has_become_short() -> None:
+async def test_a_reconnecting_link_finds_that_the_path_back_carries_less() -> None:
     async with short_path(1500) as (url, towards, back), unity_link.connect(url, reconnect=True) as link:
         back.mtu = 1280
         with pytest.raises(UnsupportedError, match=r"1200 bytes at most \(mtu=1260\): ask for it again"):
@@ -123,7 +123,7 @@ async def test_the_error_of_a_link_whose_long_packets_are_lost_names_mtu() -> No
             await link.write_block(0, WORDS)
 
 
-def test_the_mtu_that_the_system_knows_for_a_route_is_used_without_a_trial() -> None:
+def test_the_mtu_that_the_system_has_for_a_route_is_used_without_a_trial() -> None:
     async def check() -> None:
         async with short_path(1500) as (url, towards, _):
             async with unity_link.connect(url) as link:

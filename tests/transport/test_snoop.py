@@ -1,4 +1,4 @@
-"""Listeners on a connection: the snoop and the log of the frames; and nothing where none is asked for."""
+"""Listeners on a connection: the snoop and the log of frames; a connection without them has no listener."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 def events(path: Path) -> list[Connected | Passed | Disconnected]:
-    """Return what a sound snoop holds."""
+    """Return the events of a snoop, and assert that it is undamaged."""
     damage: list[str] = []
     found = list(read(path, damage.append))
     assert damage == []
@@ -39,7 +39,7 @@ def events(path: Path) -> list[Connected | Passed | Disconnected]:
 
 
 def passed(path: Path, *, sent: bool, connection: int = 0) -> bytes:
-    """Return the bytes of one direction."""
+    """Return the recorded bytes of one direction."""
     return b"".join(
         event.data
         for event in events(path)
@@ -64,7 +64,7 @@ def write_and_read(url: str) -> None:
     run_simulated(use())
 
 
-def test_a_snoop_has_all_bytes_of_both_directions_in_their_order_and_the_end(tmp_path: Path) -> None:
+def test_a_snoop_has_all_bytes_of_both_directions_and_the_end(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     write_and_read(f"sim:?snoop={path}")
     first, *_, last = events(path)
@@ -75,18 +75,18 @@ def test_a_snoop_has_all_bytes_of_both_directions_in_their_order_and_the_end(tmp
 
 
 @on_simulated_time
-async def test_times_in_a_snoop_are_those_at_which_bytes_passed(tmp_path: Path) -> None:
+async def test_a_snoop_has_the_times_at_which_bytes_were_sent_and_received(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     async with unity_link.connect(f"sim:?bytes_per_second=1000&snoop={path}") as link:
         await link.read(0)
     packets = [event for event in events(path) if isinstance(event, Passed)]
     (asked,) = [event for event in packets if event.data.startswith(b"r000") and event.sent]
     (answer,) = [event for event in packets if event.data.startswith(b"r000") and not event.sent]
-    # 17 bytes of an answer at 1,000 a second.
+    # The answer has 17 bytes, at 1,000 bytes per second.
     assert answer.time_ns - asked.time_ns == pytest.approx(17_000_000, abs=1000)
 
 
-def test_the_variable_asks_for_a_snoop_of_a_url_that_names_none(
+def test_the_environment_variable_adds_a_snoop_to_a_url_without_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv(SNOOP_VARIABLE, str(tmp_path / "all.snoop"))
@@ -98,7 +98,7 @@ def test_the_variable_asks_for_a_snoop_of_a_url_that_names_none(
 
 
 @on_simulated_time
-async def test_links_that_name_one_file_share_it_and_are_told_apart(tmp_path: Path) -> None:
+async def test_links_that_name_one_file_share_it_and_are_distinguished(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     async with unity_link.connect(f"sim:?snoop={path}") as one, unity_link.connect(f"sim:?snoop={path}") as other:
         await one.write(1, 1)
@@ -121,7 +121,7 @@ async def test_a_link_that_reconnects_appends_to_its_snoop(tmp_path: Path) -> No
     assert checked(b"r00001", 2) in passed(path, sent=True, connection=1)
 
 
-def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> None:
+def test_a_file_that_was_moved_is_not_written_any_more(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     write_and_read(f"sim:?snoop={path}")
     before = path.rename(tmp_path / "b.snoop").read_bytes()
@@ -140,7 +140,7 @@ def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> N
         ("text", "exists, and is no snoop to append to"),
     ],
 )
-def test_a_snoop_that_cannot_be_written_is_one_sentence_and_nothing_is_opened(
+def test_the_error_for_an_unwritable_snoop_is_one_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, words: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -155,7 +155,7 @@ def test_a_snoop_that_cannot_be_written_is_one_sentence_and_nothing_is_opened(
     assert (tmp_path / "text").read_text() == "dear diary"
 
 
-def test_a_file_is_of_one_program_at_a_time(tmp_path: Path) -> None:
+def test_a_snoop_file_is_written_by_one_program_at_a_time(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     write_and_read(f"sim:?snoop={path}")
     before = path.read_bytes()
@@ -173,7 +173,7 @@ def test_a_file_is_of_one_program_at_a_time(tmp_path: Path) -> None:
     assert path.read_bytes() == before
 
 
-def test_what_a_crash_left_of_a_record_is_cut_off_before_more_is_appended(
+def test_an_incomplete_record_is_removed_before_more_is_appended(
     tmp_path: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     path = tmp_path / "a.snoop"
@@ -188,7 +188,7 @@ def test_what_a_crash_left_of_a_record_is_cut_off_before_more_is_appended(
 
 
 def block(kind: int, body: bytes, order: str = "<") -> bytes:
-    """Return a block as any program writes it."""
+    """Return a pcapng block as any program writes it."""
     length = struct.pack(f"{order}I", 12 + len(body))
     return struct.pack(f"{order}I", kind) + length + body + length
 
@@ -216,7 +216,7 @@ OTHERS = {
 
 
 @pytest.mark.parametrize("content", OTHERS.values(), ids=OTHERS)
-def test_a_file_that_is_not_proved_to_be_a_snoop_stays_as_it_is(content: bytes, tmp_path: Path) -> None:
+def test_a_file_that_is_not_certainly_a_snoop_is_left_unchanged(content: bytes, tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     path.write_bytes(content)
 
@@ -229,7 +229,7 @@ def test_a_file_that_is_not_proved_to_be_a_snoop_stays_as_it_is(content: bytes, 
 
 
 @pytest.mark.parametrize("left", range(0, 96, 19))
-def test_a_record_that_a_crash_left_half_or_as_zeros_is_cut_off(left: int, tmp_path: Path) -> None:
+def test_a_record_that_a_crash_left_incomplete_or_as_zeros_is_removed(left: int, tmp_path: Path) -> None:
     record = block(6, bytes(range(1, 89)))
     for rest in (record[:left], record[:left] + bytes(100 - left), record[:left] + bytes(5000)):
         path = tmp_path / f"{len(rest)}.snoop"
@@ -240,7 +240,7 @@ def test_a_record_that_a_crash_left_half_or_as_zeros_is_cut_off(left: int, tmp_p
         assert path.read_bytes().startswith(pcapng.section() * 2)
 
 
-def test_a_snoop_is_not_made_through_a_link_that_leads_nowhere(tmp_path: Path) -> None:
+def test_a_snoop_is_not_created_through_a_dangling_symbolic_link(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     path.symlink_to(tmp_path / "elsewhere")
 
@@ -253,11 +253,11 @@ def test_a_snoop_is_not_made_through_a_link_that_leads_nowhere(tmp_path: Path) -
     assert (path.is_symlink(), len(events(path)) > 0) == (True, True)
 
 
-def test_what_another_program_joined_is_read_as_the_snoops_in_it(tmp_path: Path) -> None:
+def test_snoops_that_another_program_merged_are_read(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     write_and_read(f"sim:?snoop={path}")
     expected = events(path)
-    # As mergecap writes it, with nothing but its own section.
+    # The file as mergecap writes it: only the section header is its own.
     option = struct.pack("<HH", 4, 8) + b"Mergecap" + bytes(4)
     section = block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1) + option)
     path.write_bytes(path.read_bytes().replace(pcapng.section(), section))
@@ -270,7 +270,7 @@ def test_what_another_program_joined_is_read_as_the_snoops_in_it(tmp_path: Path)
     assert "an interface that is no connection to a gateway" in said[0]
 
 
-def test_a_full_disk_ends_the_snoop_and_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+def test_a_full_disk_ends_the_snoop_but_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     path = tmp_path / "a.snoop"
 
     async def use() -> None:
@@ -295,25 +295,27 @@ async def test_a_token_is_never_written(tmp_path: Path) -> None:
         serve_tcp(VirtualGateway(GatewayInfo())) as url,
         unity_link.connect(f"{url}?token=sesame&snoop={path}") as link,
     ):
-        # The token stands before all frames; a gateway that wants none takes it for a damaged one.
+        # The token precedes all frames; a gateway without tokens takes it for a damaged frame.
         await link.read(0)
     assert b"sesame" not in path.read_bytes()
     assert events(path)[0] == Connected(0, f"{url}?token=...&snoop={path}")
     assert b"X01" in passed(path, sent=False)
 
 
-# The log.
+# The log of frames
 
 
 @on_simulated_time
-async def test_nothing_stands_in_between_where_nothing_is_asked_for() -> None:
+async def test_a_link_without_listeners_has_its_stream_as_protocol() -> None:
     link = await unity_link.connect(VirtualGateway(GatewayInfo()))
     assert _protocol_of(link) is link._flow.stream
     await link.aclose()
 
 
 @on_simulated_time
-async def test_the_level_at_the_time_of_connecting_decides(caplog: pytest.LogCaptureFixture) -> None:
+async def test_the_log_level_when_a_link_connects_decides_if_frames_are_logged(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
     caplog.set_level(logging.DEBUG, "unity_link.frames.samples")
     async with unity_link.connect(VirtualGateway(GatewayInfo())) as link:
         assert isinstance(_protocol_of(link), Tap)
@@ -334,7 +336,7 @@ def _protocol_of(link: Link) -> object:
 
 
 @on_simulated_time
-async def test_each_frame_is_logged_in_words_under_a_name_that_tells_its_direction(
+async def test_each_frame_is_logged_in_words_by_the_logger_of_its_direction(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     caplog.set_level(logging.DEBUG, "unity_link")
@@ -386,7 +388,7 @@ async def test_the_life_of_a_link_is_logged(caplog: pytest.LogCaptureFixture, tm
 
 
 @pytest.mark.asyncio
-async def test_a_server_has_its_link_to_the_gateway_snooped(tmp_path: Path) -> None:
+async def test_the_link_of_a_server_to_its_gateway_has_a_snoop(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     async with (
         serve(f"sim:?snoop={path}", unix=tmp_path / "shared") as server,
@@ -398,13 +400,13 @@ async def test_a_server_has_its_link_to_the_gateway_snooped(tmp_path: Path) -> N
 
 
 @pytest.mark.asyncio
-async def test_datagrams_are_snooped_as_the_frames_in_them(tmp_path: Path) -> None:
+async def test_a_snoop_of_datagrams_has_the_frames_in_them(tmp_path: Path) -> None:
     path = tmp_path / "a.snoop"
     async with (
         serve_udp(VirtualGateway(GatewayInfo())) as url,
         unity_link.connect(f"{url}?snoop={path}") as link,
     ):
         await link.write(0x10, 42)
-    # On a busy machine a request is sent again.
+    # On a busy machine a request may be retransmitted.
     assert checked(b"w000100000002A") in passed(path, sent=True)
     assert answered(b"w000") in passed(path, sent=False)

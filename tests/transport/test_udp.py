@@ -1,4 +1,4 @@
-"""Links over datagrams that are lost, doubled and late, by real sockets: nothing is executed or answered twice."""
+"""Links over datagrams that are lost, duplicated and late, by real sockets: no request has an effect twice."""
 
 from __future__ import annotations
 
@@ -32,11 +32,11 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
 SYSTEM_LIMIT = int(Path("/proc/sys/net/core/rmem_max").read_text())
-"""Bytes that may wait at a socket."""
+"""Bytes that the system lets wait at a socket."""
 
 
 class Recording(Straying[Any]):
-    """Delivers everything at once, and all of it again when it is told to."""
+    """Delivers each datagram at once, and delivers all of them again after `replay`."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -50,7 +50,7 @@ class Recording(Straying[Any]):
         return arriving
 
     def replay(self) -> None:
-        """Replay all that has passed, behind the next datagram."""
+        """Deliver all datagrams so far once more, after the next datagram."""
         self._again = list(self.passed)
 
 
@@ -69,7 +69,7 @@ def port_of(url: str) -> int:
 
 @contextlib.asynccontextmanager
 async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recording, Recording]]:
-    """Serve a gateway behind a network that can repeat all that has passed; gives that of both directions."""
+    """Serve a gateway behind a network that can replay datagrams; yield its URL and the network of each direction."""
     towards, back = Recording(), Recording()
     async with serve_udp(gateway) as url, relay_udp(url, towards, back) as relayed:
         yield relayed, towards, back
@@ -77,7 +77,7 @@ async def recorded(gateway: VirtualGateway) -> AsyncIterator[tuple[str, Recordin
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("seed", range(3))
-async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(seed: int) -> None:
+async def test_requests_over_a_bad_network_are_executed_once_and_in_order(seed: int) -> None:
     gateway, bus = gateway_of_short_laps()
     chances = {"loss": 0.02, "late": 0.03, "double": 0.1}
     towards: Straying[Any] = Straying(2 * seed, latest=600, **chances)
@@ -99,7 +99,7 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
 
 @pytest.mark.asyncio
 @pytest.mark.skipif(not Path("/dev/fd").is_dir(), reason="this system does not tell what is open")
-async def test_a_bad_network_keeps_no_port_for_each_client_that_ever_came() -> None:
+async def test_a_bad_network_closes_the_ports_of_former_clients() -> None:
     def count_open() -> int:
         return len(list(Path("/dev/fd").iterdir()))
 
@@ -124,7 +124,7 @@ async def test_a_bad_network_leads_to_a_gateway_on_ipv6_too() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_bad_network_to_a_name_that_there_is_not_is_one_clear_error() -> None:
+async def test_a_bad_network_to_an_unknown_name_causes_one_clear_error() -> None:
     with pytest.raises(ConnectError, match=r"^no socket for port 7001 of nosuch.invalid \(.*\); is the name right\?$"):
         async with relay_udp("udp://nosuch.invalid:7001", Straying(), Straying()):
             pass
@@ -139,14 +139,14 @@ def test_a_socket_that_cannot_be_connected_is_closed(monkeypatch: pytest.MonkeyP
             made.append(self)
 
     monkeypatch.setattr(socket, "socket", Kept)
-    # Nobody may send to all without having asked for that.
+    # The system refuses broadcasts from sockets without SO_BROADCAST.
     with pytest.raises(ConnectError, match=r"no socket for port 7001 of 255\.255\.255\.255 \("):
         blocking.connect("udp://255.255.255.255:7001")
     assert {opened.fileno() for opened in made} == {-1}
 
 
 @pytest.mark.asyncio
-async def test_requests_of_an_earlier_lap_that_come_again_are_not_executed() -> None:
+async def test_replayed_requests_of_an_earlier_lap_are_not_executed() -> None:
     gateway, bus = gateway_of_short_laps()
     async with recorded(gateway) as (url, towards, _), unity_link.connect(url) as link:
         for number in range(300):
@@ -158,7 +158,7 @@ async def test_requests_of_an_earlier_lap_that_come_again_are_not_executed() -> 
 
 
 @pytest.mark.asyncio
-async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other() -> None:
+async def test_replayed_answers_of_an_earlier_lap_match_no_request() -> None:
     async with recorded(gateway_of_short_laps()[0]) as (url, _, back), unity_link.connect(url) as link:
         for number in range(600):
             address = number * 7 % 256
@@ -169,7 +169,7 @@ async def test_answers_of_an_earlier_lap_that_come_again_are_taken_for_no_other(
 
 
 @pytest.mark.asyncio
-async def test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken() -> None:
+async def test_replayed_datagrams_of_an_earlier_session_are_dropped() -> None:
     gateway, bus = gateway_of_short_laps()
     async with recorded(gateway) as (url, towards, back):
         for session in range(3):
@@ -189,7 +189,7 @@ async def read_all(samples: unity_link.Subscription) -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_second_host_takes_the_gateway_and_the_first_is_told() -> None:
+async def test_a_second_host_takes_the_gateway_and_the_first_link_ends() -> None:
     async with (
         serve_udp(VirtualGateway()) as url,
         unity_link.connect(url) as first,
@@ -197,7 +197,7 @@ async def test_a_second_host_takes_the_gateway_and_the_first_is_told() -> None:
     ):
         await anext(samples)
         async with unity_link.connect(url) as second:
-            # Told at once: it asks for nothing.
+            # The first link is informed at once, without sending a request.
             with pytest.raises(LinkLostError, match="another program has opened a session with it"):
                 await read_all(samples)
             with pytest.raises(LinkLostError):
@@ -222,7 +222,7 @@ async def test_a_first_host_that_reconnects_takes_the_gateway_again() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice() -> None:
+async def test_a_reset_during_a_session_ends_the_link_without_a_second_execution() -> None:
     gateway, bus = gateway_of_short_laps()
     async with serve_udp(gateway) as url:
         link = await unity_link.connect(url)
@@ -252,7 +252,7 @@ async def test_a_node_is_reached_by_its_number() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_flood_of_what_is_no_frame_disturbs_no_link() -> None:
+async def test_a_flood_of_invalid_datagrams_disturbs_no_link() -> None:
     generator = random.Random(1)
     async with serve_udp(VirtualGateway()) as url, unity_link.connect(url) as link:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
@@ -264,11 +264,11 @@ async def test_a_flood_of_what_is_no_frame_disturbs_no_link() -> None:
                 assert await link.read(1) == number
 
 
-# Gateways that are none of ours
+# Gateways of other implementations
 
 
 class Scripted(asyncio.DatagramProtocol):
-    """Answers each datagram by what stands for it in a script, if anything does."""
+    """Answers each datagram that a script contains, and ignores all others."""
 
     def __init__(self, script: dict[bytes, bytes]) -> None:
         self._script = script
@@ -292,7 +292,7 @@ async def scripted(script: dict[bytes, bytes]) -> AsyncIterator[str]:
 
 
 @pytest.mark.asyncio
-async def test_a_session_that_another_host_opened_first_is_one_clear_error() -> None:
+async def test_a_session_that_another_host_opened_first_causes_one_clear_error() -> None:
     checked = Framing(Crc()).checked
     body = b"Q" + GatewayInfo().to_hex()
     script = {
@@ -306,19 +306,19 @@ async def test_a_session_that_another_host_opened_first_is_one_clear_error() -> 
 
 
 @pytest.mark.asyncio
-async def test_a_gateway_of_the_version_without_headers_is_told_by_its_version() -> None:
+async def test_a_gateway_of_a_version_without_headers_is_refused_by_its_version() -> None:
     async with scripted({b"Q\r": b"Q012008020800000007FF0100FF0005F5E10002FAF0800100010000FF00000000\r\n"}) as url:
         with pytest.raises(UnsupportedError, match="the gateway speaks version 01 of the protocol"):
             await unity_link.connect(url)
 
 
 @pytest.mark.asyncio
-async def test_the_answers_to_long_blocks_may_wait_at_the_socket_as_far_as_the_system_allows() -> None:
+async def test_the_socket_buffers_answers_to_long_blocks_as_the_system_allows() -> None:
     url = parse_url("udp://127.0.0.1:7001")
     transport = await open_medium(url, Stream())
     assert isinstance(transport, DatagramAdapter)
     assert transport._socket is not None
-    # Linux doubles it, for what it keeps beside the bytes.
+    # Linux doubles the size, to store its own records beside the bytes.
     room = transport._socket.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF)
     assert room == 2 * min(RECEIVE_BUFFER, SYSTEM_LIMIT)
     transport.abort()
@@ -326,7 +326,7 @@ async def test_the_answers_to_long_blocks_may_wait_at_the_socket_as_far_as_the_s
 
 
 @pytest.mark.asyncio
-async def test_blocks_are_split_so_that_no_datagram_goes_in_fragments() -> None:
+async def test_blocks_are_split_so_that_no_datagram_is_fragmented() -> None:
     gateway = VirtualGateway()
     async with recorded(gateway) as (url, towards, back), unity_link.connect(url) as link:
         assert link.gateway.block_words == 255
@@ -368,7 +368,7 @@ async def test_the_socket_has_the_interface_and_the_ttl_of_the_url() -> None:
         ("ttl=far", ArgumentError, "ttl=far in .* is not a whole number"),
     ],
 )
-def test_an_interface_or_ttl_that_cannot_be_is_one_clear_error(
+def test_an_impossible_interface_or_ttl_causes_one_clear_error(
     options: str, error: type[Exception], message: str
 ) -> None:
     with pytest.raises(error, match=message):
@@ -376,21 +376,21 @@ def test_an_interface_or_ttl_that_cannot_be_is_one_clear_error(
 
 
 @pytest.mark.asyncio
-async def test_a_system_without_a_choice_of_interfaces_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_the_error_on_a_system_without_a_choice_of_interfaces_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delattr(socket, "SO_BINDTODEVICE")
     with pytest.raises(ConnectError, match="interface=lo works on Linux only"):
         await unity_link.connect("udp://127.0.0.1:7001?interface=lo")
 
 
 class Passing:
-    """Takes each datagram for frames of a session."""
+    """Takes each datagram as frames of the session, without a header."""
 
     def take(self, datagram: bytes) -> bytes:
         return datagram
 
 
 class Receiving(asyncio.Protocol):
-    """Keeps what it is given at a time, until all has come."""
+    """Collects the pieces that it receives, until `size` bytes have arrived."""
 
     def __init__(self, size: int) -> None:
         self.pieces: list[bytes] = []
@@ -405,7 +405,7 @@ class Receiving(asyncio.Protocol):
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("size", [10, LARGE])
-async def test_large_datagrams_that_have_come_are_handed_on_together_in_order(size: int) -> None:
+async def test_large_datagrams_that_arrived_are_passed_on_together_in_order(size: int) -> None:
     datagrams = [b"%0*d\n" % (size - 1, number) for number in range(3 * MOST_TOGETHER)]
     receiving = Receiving(size * len(datagrams))
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as gateway:

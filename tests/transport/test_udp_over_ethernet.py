@@ -1,4 +1,4 @@
-"""Links by `udp:` to the gateware itself: compiled, behind RMII or a W5500, at the kernel's own network stack."""
+"""Links by `udp:` to the compiled gateware, behind RMII or a W5500, through the kernel's network stack."""
 
 from __future__ import annotations
 
@@ -52,14 +52,14 @@ pytest_plugins = ["gateware.bench.network.fixtures"]
 pytestmark = pytest.mark.slow
 FACES = ("asyncio", "uvloop", "trio", "blocking", "C", "C++")
 PROGRAMS = {"C": (C, "driver.c"), "C++": (CPP, "driver.cc")}
-"""Compiler and source of the faces that are programs."""
+"""Compiler and source of the APIs that are tested by compiled programs."""
 LOST = {"loss": 0.02, "late": 0.03, "double": 0.05}
-"""Chances of a frame on a bad line."""
+"""Probabilities of a fault of each frame on a bad line."""
 EMPTY = {
     a_lost_line_ends_the_calls: "datagrams have no line; silence ends a link after five seconds",
     what_a_gateway_was_built_without_is_refused: "it has every feature; those without are built by other benches",
 }
-"""Behaviours that have no test here, and why."""
+"""Behaviours that are not tested here, and why."""
 IN_MAKE_TEST = {
     ("blocking", words_are_read_and_written),
     ("uvloop", words_are_read_and_written),
@@ -70,17 +70,17 @@ IN_MAKE_TEST = {
     ("C", a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session),
     ("C", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
 }
-"""Cells beside those of asyncio that are no part of a campaign."""
+"""Combinations, besides those of asyncio, that run without `campaign`."""
 IN_MAKE_TEST_BEHIND_A_W5500 = {
     ("asyncio", words_are_read_and_written),
     ("asyncio", blocks_are_consecutive_and_queues_one_address),
     ("C", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
 }
-"""Cells with that chip that are no part of a campaign."""
+"""Combinations with a W5500 that run without `campaign`."""
 
 
 class Served:
-    """A gateway at the cable, as the behaviours have it."""
+    """A gateway at the cable, with the interface that the behaviours use."""
 
     def __init__(self, plugged: Plugged) -> None:
         self._plugged = plugged
@@ -90,20 +90,20 @@ class Served:
 
     @property
     def bus_log(self) -> Any:
-        """Return what has reached the bus."""
+        """Return the writes that have reached the bus."""
         return SimpleNamespace(writes=self._plugged.written())
 
     @property
     def most_at_once(self) -> int:
-        """Return the most requests with an ID that came in one datagram."""
+        """Return the largest number of requests with an ID in one datagram."""
         return max(len(re.findall(rb"\n[g-z]", frame)) for frame in self._plugged.heard)
 
 
 class Line:
-    """The way to gateways of one test: a network namespace.
+    """The connection to the gateways of one test: a network namespace.
 
     Args:
-        physical: their Ethernet port, as `unity_link` has it.
+        physical: their Ethernet interface, as `unity_link` names it.
     """
 
     def __init__(self, physical: str) -> None:
@@ -111,7 +111,7 @@ class Line:
 
     @contextlib.contextmanager
     def gateway(self, noise: float = 0.0, **_: Any) -> Iterator[Served]:
-        """Plug a gateway in with failing addresses, behind a line that loses, doubles and delays frames."""
+        """Connect a gateway with failing addresses, behind a line that loses, duplicates and delays frames."""
         towards, back = (Straying[bytes](seed, latest=20, **LOST if noise else {}) for seed in (1, 2))
         with plugged(Wire({"physical": self._physical}), towards=towards, back=back) as gateway:
             gateway.call("refuse", REFUSING)
@@ -121,7 +121,7 @@ class Line:
 
 @pytest.fixture(scope="module")
 def compiled_driver(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
-    """Return what compiles the driver of a face, once."""
+    """Return a function that compiles the driver of an API, once for the module."""
 
     @functools.cache
     def make(name: str) -> Path:
@@ -147,7 +147,7 @@ def _cells() -> Iterator[Any]:
 
 
 @pytest.mark.parametrize(("physical", "name", "behaviour"), [*_cells()])
-def test_every_face_does_on_the_gateware_what_a_link_does(
+def test_every_api_has_the_behaviours_of_a_link_on_the_gateware(
     physical: str,
     name: str,
     behaviour: Behaviour,
@@ -158,7 +158,7 @@ def test_every_face_does_on_the_gateware_what_a_link_does(
     line: Any = Line(physical)
     connect: Any = unity_link.connect
     if name in PROGRAMS:
-        # It is started in the namespace.
+        # The program is started in the network namespace.
         with Driven(compiled_driver(name)) as program:
             asyncio.run(behaviour(lambda url: DrivenLink(program, url), line))
     elif name == "trio":
@@ -179,9 +179,7 @@ async def write_all(link: unity_link.Link, numbers: range, address: int = 0x80) 
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("rounds", [20, pytest.param(600, marks=pytest.mark.campaign)])
-async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(
-    gateway: Plugged, rounds: int
-) -> None:
+async def test_requests_over_a_bad_network_are_executed_once_and_in_order(gateway: Plugged, rounds: int) -> None:
     for address in range(64):
         gateway.call("poke", address, address)
     towards, back = (Straying[Any](seed, latest=600, loss=0.02, late=0.03, double=0.1) for seed in (1, 2))
@@ -196,7 +194,7 @@ async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_rig
 
 
 @pytest.mark.asyncio
-async def test_a_second_host_takes_the_gateway_and_the_first_is_told(gateway: Plugged) -> None:
+async def test_a_second_host_takes_the_gateway_and_the_first_link_ends(gateway: Plugged) -> None:
     async with unity_link.connect(URL) as first:
         await first.write(1, 6)
         async with unity_link.connect(URL) as second:
@@ -210,7 +208,7 @@ async def test_a_second_host_takes_the_gateway_and_the_first_is_told(gateway: Pl
 async def test_a_first_host_that_reconnects_leaves_the_gateway_to_the_second(
     gateway: Plugged, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # With numbers of their own the second one's session begins at once, and the first one finds it.
+    # With predictable session numbers the second host opens its session at once, and the first host finds it.
     monkeypatch.setattr("unity_link.link.connection.choose_seed", itertools.count().__next__)
     async with unity_link.connect(URL, reconnect=True) as first:
         await first.write(1, 7)
@@ -224,7 +222,7 @@ async def test_a_first_host_that_reconnects_leaves_the_gateway_to_the_second(
 
 
 @pytest.mark.asyncio
-async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice(gateway: Plugged) -> None:
+async def test_a_reset_during_a_session_ends_the_link_without_a_second_execution(gateway: Plugged) -> None:
     async with unity_link.connect(URL) as link:
         await write_all(link, range(10))
         gateway.call("reset")
@@ -237,7 +235,7 @@ async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_no
 
 
 @pytest.mark.asyncio
-async def test_a_gateway_that_stands_still_loses_the_link_in_every_call_that_waits(gateway: Plugged) -> None:
+async def test_a_stopped_gateway_raises_in_every_waiting_call(gateway: Plugged) -> None:
     async with unity_link.connect(URL) as link:
         await link.write(0, 1)
         gateway.pause()
@@ -247,7 +245,7 @@ async def test_a_gateway_that_stands_still_loses_the_link_in_every_call_that_wai
 
 
 @pytest.mark.asyncio
-async def test_a_flood_of_what_is_no_frame_disturbs_no_link(gateway: Plugged) -> None:
+async def test_a_flood_of_invalid_datagrams_disturbs_no_link(gateway: Plugged) -> None:
     generator = random.Random(1)
     async with unity_link.connect(URL) as link:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
@@ -261,7 +259,7 @@ async def test_a_flood_of_what_is_no_frame_disturbs_no_link(gateway: Plugged) ->
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("options", ["", f"?interface={INTERFACE}&ttl=3"])
-async def test_blocks_go_in_whole_frames_by_the_interface_and_ttl_of_the_url(gateway: Plugged, options: str) -> None:
+async def test_blocks_are_sent_unfragmented_by_the_interface_and_ttl_of_the_url(gateway: Plugged, options: str) -> None:
     async with unity_link.connect(URL + options) as link:
         await link.write_block(0, range(224))
         assert (await link.read_block(0, 224)).tolist() == [*range(224)]

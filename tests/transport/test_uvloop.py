@@ -1,6 +1,6 @@
-"""Gateways and snoops on uvloop, whose transports and timers are of none of asyncio's classes.
+"""Gateways and snoops on uvloop, whose transports and timers are not classes of asyncio.
 
-Links on it: test_faces.py.
+Links on uvloop are tested in test_faces.py.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def run(coroutine: Coroutine[object, object, None]) -> None:
 
 @pytest.fixture(params=["tcp", "unix", "udp", "serial", "serial?library=pyserial-asyncio"])
 def url(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
-    """Serve a gateway by another process."""
+    """Serve a gateway from another process; yield its URL."""
     medium, mark, options = request.param.partition("?")
     command = [sys.executable, str(SERVER), medium, str(tmp_path / "gateway"), "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
@@ -55,7 +55,7 @@ def test_a_gateway_is_served_on_uvloop(medium: str, tmp_path: Path) -> None:
     run(serve_and_use())
 
 
-def test_a_snoop_has_what_passes_and_its_times(url: str, tmp_path: Path) -> None:
+def test_a_snoop_has_the_bytes_of_both_directions_and_their_times(url: str, tmp_path: Path) -> None:
     path, joint = tmp_path / "a.snoop", "&" if "?" in url else "?"
 
     async def two_reads() -> None:
@@ -68,6 +68,6 @@ def test_a_snoop_has_what_passes_and_its_times(url: str, tmp_path: Path) -> None
     passed = [event for event in read(path, print) if isinstance(event, Passed)]
     asked = [event.time_ns for event in passed if event.sent and event.data.startswith((b"r000", b"r001"))]
     answered = [event.time_ns for event in passed if not event.sent and event.data.startswith((b"r000", b"r001"))]
-    # In whole milliseconds, as the loop counts, a round trip would take none or one.
+    # In the whole milliseconds of the loop's clock a round trip would take 0 or 1 ms.
     assert asked[0] < answered[0] < asked[1] < answered[1]
     assert any(time % 1_000_000 for time in asked + answered)

@@ -1,4 +1,4 @@
-"""A link over Zenoh on which publications come twice, late by laps of the IDs, as several routers may deliver them."""
+"""A link over Zenoh whose publications arrive again, late by laps of the IDs, as several routers may deliver them."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def session(**network: Any) -> Iterator[Any]:
 
 
 class Doubling:
-    """Publishes again what others have published at a key about a lap ago."""
+    """Publishes again the publications of others at a key, about a lap late."""
 
     def __init__(self, peer: Any, key: str) -> None:
         self.again = 0
@@ -43,7 +43,7 @@ class Doubling:
     def _take(self, sample: Any) -> None:
         publication = str(sample.key_expr), sample.payload.to_bytes()
         with self._lock:
-            # Its own come back to it, too.
+            # The session also receives its own publications.
             if publication in self._seen:
                 return
             self._seen[publication] = None
@@ -54,7 +54,7 @@ class Doubling:
 
 
 @pytest.mark.asyncio
-async def test_publications_that_come_twice_are_neither_executed_twice_nor_taken_for_other_answers() -> None:
+async def test_duplicated_publications_are_dropped() -> None:
     gateway, bus = gateway_of_short_laps()
     with socket.create_server(("127.0.0.1", 0)) as one, socket.create_server(("127.0.0.1", 0)) as another:
         first, second = (f"tcp/127.0.0.1:{free.getsockname()[1]}" for free in (one, another))

@@ -1,4 +1,4 @@
-"""The stream over two keys that publications make, without a network."""
+"""The stream that consists of publications at two keys, without a network."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Payload:
 
 
 class Session:
-    """Stands in for a session of Zenoh: keeps what is published, and publishes what it is told."""
+    """Replaces a session of Zenoh: records publications, and delivers those of the test."""
 
     def __init__(self) -> None:
         self.published: list[bytes] = []
@@ -43,7 +43,7 @@ class Session:
         """Do nothing."""
 
     async def deliver(self, *publications: bytes) -> None:
-        """Deliver publications, and wait until they have been looked at."""
+        """Deliver publications, and wait until the reader has processed them."""
         for publication in publications:
             self._hear(Payload(publication))
         await asyncio.sleep(0)
@@ -71,18 +71,18 @@ async def test_publications_begin_with_their_count() -> None:
 
 
 @pytest.mark.asyncio
-async def test_what_comes_twice_late_or_without_a_count_is_dropped() -> None:
+async def test_publications_that_are_duplicated_late_or_without_count_are_dropped() -> None:
     session, reader, _ = opened()
     await session.deliver(b"00000001a\n", b"00000003c\n", b"00000002b\n", b"00000003c\n", b"Q\r", b"", b"00000004d\n")
     assert reader.read == b"a\nc\nd\n"
 
 
 @pytest.mark.asyncio
-async def test_what_came_while_reading_was_paused_is_read_before_what_comes_then() -> None:
+async def test_publications_during_a_pause_are_read_before_later_ones() -> None:
     session, reader, transport = opened()
     transport.pause_reading()
     await session.deliver(b"00000001a\n")
-    # Arrives in the turn of the loop in which reading goes on.
+    # This publication arrives in the turn of the loop in which reading resumes.
     session._hear(Payload(b"00000002b\n"))
     transport.resume_reading()
     await asyncio.sleep(0)

@@ -1,12 +1,12 @@
 #!/bin/bash
-# Runs tests/usb on a real USB stack, in a QEMU guest with a kernel that has vhci-hcd. As root, on Debian or Ubuntu:
+# Runs tests/usb on a real USB stack, in a QEMU guest with a kernel that has vhci-hcd. Run as root, on Debian or Ubuntu:
 #
 #   apt-get install qemu-system-x86 busybox-static cpio kmod libusb-1.0-0
-#   apt-get download linux-image-6.1.0-NN-amd64   # what linux-image-amd64 depends on
+#   apt-get download linux-image-6.1.0-NN-amd64   # the dependency of linux-image-amd64
 #   tests/usb/in_qemu.sh linux-image-6.1.0-NN-amd64*.deb
 #
 # The guest has this machine's files, read-only, as its root, so it runs the same Python and the same checkout. It is
-# emulated; KVM=1 makes it quick where the machine lets it use KVM.
+# emulated; KVM=1 makes it faster if the machine permits KVM.
 set -euo pipefail
 
 package=$1
@@ -24,7 +24,7 @@ cp "$(command -v busybox)" "$work/root/bin/busybox"
 for module in virtio_pci 9pnet_virtio 9p vhci-hcd ftdi_sio; do
 	modprobe -d "$work/kernel" -S "$release" --show-depends "$module" | while read -r _ path _; do
 		name=$(basename "$path")
-		# In the order of the dependencies, each once.
+		# Copy each module once, in the order of the dependencies.
 		ls "$work/root/modules" | grep -q -- "-$name$" || cp "$path" "$work/root/modules/$(ls "$work/root/modules" | wc -l | xargs printf %03d)-$name"
 	done
 done
@@ -43,7 +43,7 @@ mount -t sysfs sys /machine/sys
 mount -t devtmpfs dev /machine/dev
 mount -t tmpfs tmp /machine/tmp
 ifconfig lo 127.0.0.1 up
-# Each test in a process of its own: without udevd, libusb sees only what was plugged in before it began.
+# Each test in a process of its own: without udevd, libusb finds only devices that were connected before it started.
 cat > /machine/tmp/run << INSIDE
 cd $project
 export HOME=/tmp PYTHONDONTWRITEBYTECODE=1 HYPOTHESIS_STORAGE_DIRECTORY=/tmp/hypothesis

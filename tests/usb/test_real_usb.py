@@ -1,6 +1,6 @@
-"""The drivers on a real USB stack: the virtual chip, attached by USB/IP, under libusb and the kernel.
+"""The drivers on a real USB stack: the virtual chip, attached by USB/IP, with libusb and the kernel.
 
-Needs root and the kernel's vhci-hcd; `tests/usb/in_qemu.sh` runs this where the kernel of the machine has none.
+The tests need root and the kernel's vhci-hcd; `tests/usb/in_qemu.sh` runs them if the kernel of the machine has none.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ USB_DEVICES = Path("/sys/bus/usb/devices")
 
 
 def chips() -> list[Path]:
-    """Return the FT232H that the kernel has."""
+    """Return the FT232H devices that the kernel has."""
     return [path.parent for path in USB_DEVICES.glob("*/idProduct") if path.read_text().strip() == "6014"]
 
 
@@ -52,7 +52,7 @@ def wait_for(condition: Callable[[], object]) -> None:
 
 @pytest.fixture
 def chip() -> Iterator[subprocess.Popen[str]]:
-    """Attach a chip, and return the process that it is."""
+    """Attach a chip; yield the process that simulates it."""
     command = [str(Path(sys.executable).parent / "unity-link"), "simulate", "--usbip", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
         try:
@@ -62,7 +62,7 @@ def chip() -> Iterator[subprocess.Popen[str]]:
                 connection.sendall(bytes.fromhex("0111 8003 00000000") + b"1-1".ljust(32, b"\0"))
                 reply = connection.recv(320, socket.MSG_WAITALL)
                 bus, device = struct.unpack(">II", reply[296:304])
-                # The kernel keeps the connection when this process closes its own end.
+                # The kernel keeps the connection after this process has closed its own descriptor.
                 (VHCI / "attach").write_text(f"0 {connection.fileno()} {bus << 16 | device} {HIGH_SPEED}")
             wait_for(lambda: chips() and (chips()[0] / "bNumInterfaces").exists())
             yield served
@@ -107,7 +107,7 @@ async def test_reads_writes_and_samples_pass_a_real_usb_stack(
 
 
 @pytest.mark.parametrize("scheme", ["ftdi", "ftdi-async"])
-async def test_a_chip_that_goes_is_a_lost_link(chip: subprocess.Popen[str], scheme: str) -> None:
+async def test_an_unplugged_chip_is_a_lost_link(chip: subprocess.Popen[str], scheme: str) -> None:
     async with unity_link.connect(f"{scheme}://ftdi:232h/1", timeout=20) as link:
         await link.write(1, 2)
         chip.terminate()

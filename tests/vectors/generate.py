@@ -1,7 +1,7 @@
-"""Writes the shared vectors, `*.ndjson` beside this file: requests, and exactly what a gateway answers to them.
+"""Writes the shared vectors, `*.ndjson` beside this file: requests, and the exact answers of a gateway.
 
-The virtual gateway gives the answers. Whoever changes it runs `python tests/vectors/generate.py` and reads the
-difference: it is a change of the protocol. README.md says what the files mean.
+The virtual gateway computes the answers. After a change of it, run `python tests/vectors/generate.py` and read the
+difference: it is a change of the protocol. README.md describes the files.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ COMPACT = GatewayInfo().features | Feature.COMPACT
 
 CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
     "default": (GatewayInfo(), None),
-    # The paper's.
+    # The gateway of the paper.
     "short": (
         GatewayInfo(id_digits=2, crc_bits=8, crc_polynomial=0x07, block_words=32, group_words=16, groups=8),
         None,
@@ -56,7 +56,7 @@ CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
     ),
     "bare": (GatewayInfo(features=Feature(0), groups=0, group_words=0, block_words=8), None),
     "compact": (GatewayInfo(block_words=16, groups=4, group_words=8, features=COMPACT), None),
-    # With IDs, a CRC and addresses of which the digits are to be filled up otherwise.
+    # With widths of ID, CRC and address that need other spare digits.
     "compact_addressed": (
         GatewayInfo(
             id_digits=2,
@@ -76,7 +76,7 @@ CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
 
 
 class Script:
-    """Sends to a gateway and keeps the record."""
+    """Sends bytes to a gateway and records the steps."""
 
     def __init__(self, info: GatewayInfo, node: int | None) -> None:
         self.gateway = VirtualGateway(info, node=node)
@@ -86,10 +86,10 @@ class Script:
         self.codec = Codec(self.info, node)
         self.node = node
         self.sessions = 0
-        """Number of the last session begun."""
+        """Number of the last opened session."""
         self.records: list[dict[str, Any]] = []
         self.asks_compact = self.info.asks_compact if Feature.COMPACT in self.info.features else 0
-        """Bit beside the number of a session that asks for the compact form."""
+        """Bit beside the number of a session that requests the compact form."""
         self.packer = Packer(CompactForm.of(self.info, from_gateway=False))
         self._forms = random.Random(1)
 
@@ -104,11 +104,11 @@ class Script:
         }
 
     def send(self, about: str, data: bytes) -> None:
-        """Send bytes as they are."""
+        """Send bytes, with some frames in compact form if the gateway has it."""
         self.send_as_it_is(about, self.formed(data))
 
     def send_as_it_is(self, about: str, data: bytes) -> None:
-        """Send bytes in the form that they have."""
+        """Send bytes unchanged."""
         frames = cut(self.gateway.receive(data, 0.0))
         publishes = b"".join(frame for frame in frames if is_sample(frame, self.codec.framing.prefix))
         answers = b"".join(frame for frame in frames if not is_sample(frame, self.codec.framing.prefix))
@@ -119,36 +119,36 @@ class Script:
         self.records.append({"about": about, **record})
 
     def formed(self, data: bytes) -> bytes:
-        """Return bytes in which about half of the frames that have a compact form are in it, if the gateway has it."""
+        """Return bytes in which about half of the suitable frames are in compact form, if the gateway has it."""
         if self.asks_compact:
             lines = data.splitlines(keepends=True)
             data = b"".join(line if self._forms.random() < 0.4 else self.packer.pack_one(line) for line in lines)
         return data
 
     def checked(self, about: str, *bodies: bytes) -> None:
-        """Send bodies in checked frames, one after the other."""
+        """Send bodies in checked frames, one after another."""
         for body in bodies:
             self.send(about, self.frame(body))
 
     def frame(self, body: bytes) -> bytes:
-        """Return a checked frame, of the session under way where it has an ID."""
+        """Return a checked frame; if it has an ID, its CRC depends on the open session."""
         seed = seed_of(self.gateway.session, from_gateway=False) if body[:1].islower() else 0
         return self.codec.framing.checked(body, seed)
 
     def begin(self, first: int, *, program: bool = False, about: str = "session") -> None:
-        """Begin another session, of a person unless a program is said."""
+        """Open another session: of a program if `program` is true, otherwise of a person."""
         self.sessions = self.sessions * 5 % self.info.last_session + 1
-        # Not in every fourth session.
+        # Every fourth session does not request the compact form.
         asked = self.sessions | self.asks_compact * (self.sessions % 4 > 0)
         (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.id_count, asked))
 
     def plain(self, about: str, *bodies: bytes) -> None:
-        """Send bodies in plain frames, one after the other."""
+        """Send bodies in plain frames, one after another."""
         for body in bodies:
             self.send(about, self.codec.framing.plain_request(body))
 
     def both(self, about: str, *bodies: bytes) -> None:
-        """Send bodies in either form."""
+        """Send bodies in both forms of frames."""
         self.checked(about, *bodies)
         self.plain(about + ", plain", *bodies)
 
@@ -161,7 +161,7 @@ class Script:
 
 
 def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
-    """Return good fields for each command."""
+    """Return valid fields for each command."""
     words = [(0x123456789ABCDEF0 >> 4 * index) % (1 << info.data_bits) for index in range(3)]
     return {
         "W": (0x0A, words[0]),
@@ -182,28 +182,28 @@ def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
 
 
 def no_session(script: Script) -> None:
-    """Send what has an ID before the first session, which nothing is executed of, and errors that go before that."""
+    """Send requests with an ID before the first session, which are not executed, and errors that take precedence."""
     middle = script.codec.id_count // 2
     for command, values in examples(script.info).items():
         for number in (0, middle):
             script.both(f"{command} with ID and no session", script.body(command, *values, number=number))
     for number in (1, middle + 1):
-        script.both("no gap is told of", script.body("H", number=number))
+        script.both("no gap is reported", script.body("H", number=number))
     script.checked(
-        "neither range nor bus is looked at",
+        "neither range nor bus is checked",
         script.body("RM", 0, 0, number=0),
         script.body("R", BUS_ERROR_AT, number=0),
         script.body("WS", BUS_TIMEOUT_AT, 1, number=0),
     )
     if Feature.GROUPS in script.info.features:
-        script.checked("no group is looked for", script.body("GP", 0xFF, number=0))
+        script.checked("no group is looked up", script.body("GP", 0xFF, number=0))
     digits = script.codec.id_text[0]
     script.both("malformed, and no session", b"r" + digits, b"h" + digits[1:], b"ws" + digits + b"0")
     script.both("unknown, and no session", b"q" + digits, b"k" + digits, b"g" + digits, b"Rm" + digits)
     frame = script.frame(script.body("H", number=0))
-    script.send("a check of a session that is over", frame[:-2] + (b"0" if frame[-2:-1] != b"0" else b"1") + b"\n")
-    script.send("a check that is not hexadecimal", frame[:-2] + b"G\n")
-    script.both("which session is under way? none", b"K")
+    script.send("a CRC of an ended session", frame[:-2] + (b"0" if frame[-2:-1] != b"0" else b"1") + b"\n")
+    script.send("a CRC that is not hexadecimal", frame[:-2] + b"G\n")
+    script.both("session query without a session", b"K")
     script.both("without ID", script.body("R", 0x0A), script.body("H"))
 
 
@@ -222,7 +222,7 @@ def every_command(script: Script) -> None:
 
 
 def frames(script: Script) -> None:
-    """Send frames that are wrong in what stands between two ends."""
+    """Send frames with faults between their two ends."""
     framing, read = script.codec.framing, script.body("R", 0x0A)
     good = framing.checked(read)
     script.send(
@@ -242,16 +242,16 @@ def frames(script: Script) -> None:
     script.send("a plain frame of the longest length", framing.prefix + b"G" * longest + b"\r")
     for end in (b"\n", b"\r"):
         script.send("a frame longer than the longest", framing.prefix + b"R" + b"0" * longest + end)
-    script.send("a much longer one, in pieces", framing.prefix + b"0" * 3 * longest)
-    script.send("its last piece, and a good one", b"0\n" + good)
+    script.send("a much longer frame, in pieces", framing.prefix + b"0" * 3 * longest)
+    script.send("its last piece, and a valid frame", b"0\n" + good)
 
 
 def forms(script: Script) -> None:
-    """Send unknown commands and fields of wrong width."""
+    """Send unknown commands and fields of a wrong width."""
     script.both("unknown command", b"Z", b"G", b"GG00", b"RR0A", b"0A", b"HH", b"N00", b"X01", b"P0000", b"RMM0A01")
     script.both("mixed case", b"Rm0A01", b"rM000A01", b"wM", b"Hh")
     digits = script.codec.id_text[0]
-    script.both("lower case without the right", b"q", b"k" + digits, b"q" + digits, b"k")
+    script.both("lower case in commands without an ID", b"q", b"k" + digits, b"q" + digits, b"k")
     script.both("numbers that are not hex", b"R0_", b"R 0", b"R+1", b"R0x", b"H\xff", b"r000G")
     for command, values in examples(script.info).items():
         body = script.body(command, *values)
@@ -260,14 +260,14 @@ def forms(script: Script) -> None:
             script.both(f"{command} with a digit too few", body[:-1])
             script.both(f"{command} without fields", command.encode())
         script.both(f"{command} with half an ID", command.lower().encode() + b"0")
-        script.both(f"{command} with nothing but an ID", command.lower().encode() + script.codec.id_text[0])
+        script.both(f"{command} with only an ID", command.lower().encode() + script.codec.id_text[0])
     address = script.body("R", 0x0A)[1:]
     script.both("short data", b"W" + address + b"5", b"WS" + address + b"7", b"W" + address)
     numbered = script.codec.id_text[0] + address + b"5"
-    script.both("short data behind an ID", b"w" + numbered, b"ws" + numbered)
+    script.both("short data after an ID", b"w" + numbered, b"ws" + numbered)
     script.both("short data in a block", b"WM" + address + b"5")
     script.both("first ID and session of a wrong width", b"K" + digits, b"K" + digits[1:], b"K" + digits + b"0")
-    script.both("addresses that are not as many as said", script.body("GS", 1, 0, 1, 3, [1, 2]))
+    script.both("number of addresses unlike the count", script.body("GS", 1, 0, 1, 3, [1, 2]))
     most = b"0" * script.info.data_digits
     if script.info.block_words == 255:
         script.plain("255 words", b"WM" + address + most * 255)
@@ -279,8 +279,8 @@ def ranges(script: Script) -> None:
     script.both("count 0", script.body("RM", 0, 0), script.body("RQ", 0, 0))
     if info.block_words < 255:
         words = [0] * (info.block_words + 1)
-        script.checked("count beyond the most", script.body("RM", 0, info.block_words + 1))
-        script.checked("words beyond the most", script.body("WM", 0, words), script.body("WQ", 0, words))
+        script.checked("count too large", script.body("RM", 0, info.block_words + 1))
+        script.checked("too many words", script.body("WM", 0, words), script.body("WQ", 0, words))
     script.checked(
         "most words",
         script.body("WM", 0x40, list(range(info.block_words % 97))),
@@ -288,7 +288,7 @@ def ranges(script: Script) -> None:
     )
     top = 16**info.address_digits - 1
     script.checked(
-        "the highest address that can be written down",
+        "the highest address in the digits",
         script.body("R", top),
         script.body("W", top, 1),
         script.body("RM", top, 2),
@@ -311,13 +311,13 @@ def ranges(script: Script) -> None:
     script.checked("no addresses", script.body("GS", 0, 0, 1, 0, []))
     if 0 < info.group_words < 255:
         script.checked(
-            "addresses beyond the most", script.body("GS", 0, 0, 1, info.group_words + 1, [0] * (info.group_words + 1))
+            "too many addresses", script.body("GS", 0, 0, 1, info.group_words + 1, [0] * (info.group_words + 1))
         )
     script.checked("a group with an address too high", script.body("GS", 0, 0, 1, 2, [0, 16**info.address_digits - 1]))
 
 
 def bus(script: Script) -> None:
-    """Wrap, and meet addresses that fail."""
+    """Send blocks that wrap, and accesses to failing addresses."""
     last = (1 << script.info.address_bits) - 1
     script.checked(
         "a block that wraps",
@@ -349,7 +349,7 @@ def bus(script: Script) -> None:
 
 
 def sequence(script: Script) -> None:
-    """Repeat, skip, wrap around."""
+    """Send repetitions and gaps, and wrap around the sequence space."""
     ring = script.codec.id_count
     script.begin(ring - 3)
     number = ring - 3
@@ -360,21 +360,23 @@ def sequence(script: Script) -> None:
         script.both(f"{command} repeated", script.body(command, *values, number=number))
         number += 1
     script.checked("a gap", script.body("W", 1, 2, number=number + 1))
-    script.checked("told once", script.body("R", 1, number=number + 2), script.body("H", number=number + ring // 2 - 1))
-    script.checked("the far half of the ring is behind", script.body("W", 1, 5, number=number + ring // 2))
+    script.checked(
+        "reported once", script.body("R", 1, number=number + 2), script.body("H", number=number + ring // 2 - 1)
+    )
+    script.checked("the far half of the sequence space is past", script.body("W", 1, 5, number=number + ring // 2))
     script.checked("a range error in sequence ends the gap", script.body("RM", 1, 0, number=number))
     script.checked("a gap again", script.body("R", 1, number=number + 2))
     script.begin(number, about="a session ends the gap")
-    script.checked("so it is told again", script.body("R", 1, number=number + 1))
+    script.checked("so it is reported again", script.body("R", 1, number=number + 1))
     script.checked(
-        "nothing malformed counts", b"r" + script.codec.id_text[number % ring], script.body("R", 1, number=number)
+        "malformed frames do not count", b"r" + script.codec.id_text[number % ring], script.body("R", 1, number=number)
     )
     script.checked("a repeated read out of range", script.body("RM", 1, 0, number=number))
     script.checked("a repeated group command out of range", script.body("GN", 0xFF, number=number))
 
 
 def groups(script: Script) -> None:
-    """Publish on request."""
+    """Publish samples on request."""
     if Feature.GROUPS not in script.info.features:
         return
     script.checked("words to publish", script.body("W", 0x0A, 0x12), script.body("W", 0x0B, 0x34))
@@ -383,10 +385,10 @@ def groups(script: Script) -> None:
     script.begin(0, about="a session keeps settings and sequence")
     script.checked("and its samples have it", script.body("GP", 0))
     script.checked("as starting and stopping does", script.body("GN", 0), script.body("GX", 0), script.body("GP", 0))
-    script.checked("setting starts anew", script.body("GS", 0, 0x20, 1, 1, [0x0A]), script.body("GP", 0))
+    script.checked("settings restart the group", script.body("GS", 0, 0x20, 1, 1, [0x0A]), script.body("GP", 0))
     script.checked("a refused setting changes nothing", script.body("GS", 0, 0, 0, 1, [0x0B]), script.body("GP", 0))
     script.checked(
-        "on request, changed or not",
+        "on request, changed or unchanged",
         script.body("GS", 1, 0x10, 1, 1, [0x0A]),
         script.body("GP", 1),
         script.body("GP", 1),
@@ -400,7 +402,7 @@ def groups(script: Script) -> None:
 
 
 def nodes(script: Script) -> None:
-    """Send what is for others, and for all."""
+    """Send frames for other nodes, and for all nodes."""
     if script.node is None:
         return
     crc = script.codec.framing.crc
@@ -408,7 +410,7 @@ def nodes(script: Script) -> None:
         covered = prefix + b"R0A"
         script.send("not for this node", covered + crc.text(covered) + b"\n" + covered + b"\r")
         script.send("not for this node and wrong", covered + b"\n")
-    script.send("nothing behind the prefix", b"Z1A\nZ1A\r")
+    script.send("no body after the prefix", b"Z1A\nZ1A\r")
     for body in (b"WS0C00000077", b"W0C00000078", b"R0C", b"R0", b"Q", b"K0011234", b"ws0000C00000079"):
         covered = b"ZFF" + body
         script.send("for all nodes", covered + crc.text(covered) + b"\n" + covered + b"\r")
@@ -418,13 +420,13 @@ def nodes(script: Script) -> None:
 
 
 def programs(script: Script) -> None:
-    """Send what a program's session shuts out, and frames of another session."""
+    """Send requests that a program's session refuses, and frames of another session."""
     codec = script.codec
     script.begin(0, program=True)
     for command, values in examples(script.info).items():
         script.both(f"{command} without ID in a program's session", script.body(command, *values))
         script.plain(f"{command} with ID, plain, in a program's session", script.body(command, *values, number=0))
-    script.both("what looks", script.body("Q"), b"K", script.body("H"), script.body("R", BUS_ERROR_AT))
+    script.both("queries", script.body("Q"), b"K", script.body("H"), script.body("R", BUS_ERROR_AT))
     number = 0
     for command, values in examples(script.info).items():
         script.checked(f"{command} of the session", script.body(command, *values, number=number))
@@ -434,7 +436,7 @@ def programs(script: Script) -> None:
         seed = seed_of(session, from_gateway=False)
         script.send("of another session", codec.framing.checked(read, seed))
     script.send("an echo", codec.framing.checked(read, seed_of(script.sessions, from_gateway=True)))
-    script.both("the session under way again", codec.opening(0, script.sessions))
+    script.both("the open session again", codec.opening(0, script.sessions))
     last = script.info.last_session
     beyond = [] if script.asks_compact else [codec.opening(0, 2 * last + 1)]
     script.both("a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), *beyond)
@@ -450,14 +452,14 @@ def programs(script: Script) -> None:
         script.send("for all nodes", everybody + codec.framing.crc.text(everybody) + b"\n")
         script.checked("was executed", b"R0C")
     script.checked("still in sequence", script.body("H", number=number))
-    script.both("which session is under way?", b"K")
+    script.both("session query", b"K")
     script.begin(7, program=True, about="a session that ends another")
-    script.begin(8, about="a person's, in which all is taken")
+    script.begin(8, about="a person's session, which accepts all requests")
     script.both("without ID", script.body("W", 0x0A, 1), script.body("R", 0x0A))
 
 
 def fates(script: Script) -> None:
-    """Repeat what failed, what took something, and ask how posted writes ended."""
+    """Repeat failed and destructive requests, and query the outcomes of posted writes."""
     script.begin(script.codec.id_count - 2, program=True)
     number = script.codec.id_count - 2
     failing: list[tuple[Any, ...]] = [
@@ -471,27 +473,27 @@ def fates(script: Script) -> None:
     ]
     first = number
     for command, *values in failing:
-        script.checked(f"{command}, perhaps failing", script.body(command, *values, number=number))
+        script.checked(f"{command}, possibly failing", script.body(command, *values, number=number))
         number += 1
-    script.checked("how many posted writes failed", script.body("H", number=number))
+    script.checked("count of failed posted writes", script.body("H", number=number))
     number += 1
     for place, (command, *values) in enumerate(failing):
         script.checked(f"{command} again", script.body(command, *values, number=first + place))
-        script.checked("how did it end?", script.body("H", number=first + place))
-    script.checked("how many failed, again", script.body("H", number=number - 1))
+        script.checked("query of the outcome", script.body("H", number=first + place))
+    script.checked("count of failures, again", script.body("H", number=number - 1))
     number = _destructive(script, number)
     half = script.codec.id_count // 2
     if half <= 128:
         for _ in range(half):
-            script.checked("until the fates come round", script.body("H", number=number))
+            script.checked("until the stored outcomes wrap", script.body("H", number=number))
             number += 1
-        script.checked("the first that is kept", script.body("H", number=number - half))
+        script.checked("the first stored outcome", script.body("H", number=number - half))
     script.begin(3, program=True)
     script.checked("none of the posted writes of this session failed", script.body("H", number=3))
 
 
 def _destructive(script: Script, number: int) -> int:
-    """Add destructive reads and their repetitions, and return the next ID."""
+    """Add destructive reads and their repetitions; return the next ID."""
     taken: list[tuple[Any, ...]] = [
         ("WK", 0x0A, 0x5A, 0xFF),
         ("WK", 0x0A, 0xFF, 0),
@@ -503,35 +505,35 @@ def _destructive(script: Script, number: int) -> int:
             continue
         body = script.body(command, *values, number=number)
         script.checked(f"{command}", body)
-        script.checked(f"{command} again, whose words are kept", body)
+        script.checked(f"{command} again, with stored words", body)
         number += 1
     return number
 
 
 def compact_form(script: Script) -> None:
-    """Send frames of the compact form that are cut, damaged, and among text and noise."""
-    script.both("which session is under way, and in which form?", b"K")
+    """Send compact frames that are cut, damaged, and mixed with text and noise."""
+    script.both("query of the session and its form", b"K")
     expected = script.gateway.expected
     frame = script.frame(script.body("R", 0x0A, number=expected))
     packed = script.packer.pack_one(frame)
     other = script.packer.pack_one(script.frame(script.body("H", number=expected)))
     pieces: dict[str, bytes] = {
         "without its end": packed[:-1] + other,
-        "without its end, and text behind": packed[:-1] + frame,
+        "without its end, then text": packed[:-1] + frame,
         "without its start": packed[1:] + other,
         "cut by a line end": packed[:4] + b"\n" + other,
         "cut by a CR": packed[:4] + b"\r" + other,
-        "whole but for a CR in the place of its end": packed[:-1] + b"\r\n" + other,
-        "whole but for an LF in the place of its end": packed[:-1] + b"\n" + other,
-        "an end in the place of the LF of a text": frame[:-1] + END + other,
+        "whole, with a CR in place of its end": packed[:-1] + b"\r\n" + other,
+        "whole, with an LF in place of its end": packed[:-1] + b"\n" + other,
+        "an end in place of the LF of a text frame": frame[:-1] + END + other,
         "a start that an LF cuts": START + b"\n" + other,
         "a start that a start cuts": START + other,
-        "an end behind it": packed + END + other,
-        "a start behind it": packed + START + b"\n" + other,
+        "a second end after it": packed + END + other,
+        "a start after it": packed + START + b"\n" + other,
         "a start in a line": frame[:5] + packed + other,
         "nothing between start and end": START + END + other,
         "an escape at its end": packed[:-1] + ESCAPE + END + other,
-        "escapes of what needs none": START + ESCAPE + bytes((packed[1] ^ STUFFED,)) + packed[2:],
+        "unnecessary escapes": START + ESCAPE + bytes((packed[1] ^ STUFFED,)) + packed[2:],
         "an escape of an escape": packed[:4] + ESCAPE + ESCAPE + packed[5:] + other,
         "line ends around it": b"\n\r\n" + packed + b"\r\n" + other,
         "longer than any": START + packed[1:-1] * (script.info.longest_request // 4) + END + other,
@@ -548,11 +550,11 @@ def compact_form(script: Script) -> None:
         flipped = bytes((damaged[at] ^ 1 << source.randrange(8),))
         damaged[at : at + 1] = source.choice([b"", START, END, ESCAPE, b"\n", b"\r", flipped])
         script.send_as_it_is("a damaged compact frame", bytes(damaged))
-    script.send_as_it_is("the end of what was cut", b"\n")
+    script.send_as_it_is("the end of the cut frame", b"\n")
 
 
 def random_frames(script: Script) -> None:
-    """Send a seeded mixture of requests, good and damaged, near the expected ID."""
+    """Send a seeded random sequence of requests, valid and damaged, near the next ID."""
     source = random.Random(script.info.data_bits)
     for _ in range(RANDOM_FRAMES):
         command = source.choice([name for name in COMMANDS if name not in {"GN", "K"}])

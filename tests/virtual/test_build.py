@@ -1,4 +1,4 @@
-"""URLs become a gateway, or one clear error."""
+"""A URL creates a gateway, or causes one clear error."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from unity_link.virtual.transport import GatewayTransport
 
 
 class Silent(asyncio.Protocol):
-    """Wants nothing."""
+    """A protocol that ignores all events."""
 
 
 def open_url(text: str) -> GatewayTransport:
@@ -37,24 +37,24 @@ def test_sim_is_a_gateway_of_the_default_build_with_plain_memory() -> None:
     assert open_url("sim:").get_extra_info("gateway").info.data_bits == 32
 
 
-def test_sim_scara_has_the_robot_behind_its_bus() -> None:
+def test_sim_scara_has_the_robot_on_its_bus() -> None:
     assert answer("sim:scara", b"W8001\r") == b"X04\r\n"
 
 
-def test_options_choose_the_configuration() -> None:
+def test_options_set_the_configuration() -> None:
     info = open_url("sim:?data_bits=16&id_digits=3&crc_bits=16&clock_hz=100000000").get_extra_info("gateway").info
     assert (info.data_bits, info.id_digits, info.clock_hz) == (16, 3, 100_000_000)
     assert (info.crc_bits, info.crc_polynomial) == (16, 0x1021)
     assert answer("sim:?node=0x1A", b"Z1AH\r") == b"Z1AH\r\n"
 
 
-def test_options_choose_the_noise_and_its_seed() -> None:
+def test_options_set_the_noise_and_its_seed() -> None:
     request = b"RM00FF\r" * 20
     spoiled = [answer(f"sim:?flip=0.01&loss=0.01&double=0.01&seed={seed}", request) for seed in (1, 1, 2)]
     assert spoiled[0] == spoiled[1] != spoiled[2]
 
 
-def test_a_slow_line_can_be_chosen() -> None:
+def test_an_option_sets_a_slow_line() -> None:
     gateway = open_url("sim:?bytes_per_second=1000").get_extra_info("gateway")
     assert gateway.receive(b"H\r", 0.0) == b""
     assert gateway.next_due == pytest.approx(0.003)
@@ -79,11 +79,11 @@ def test_a_slow_line_can_be_chosen() -> None:
         ("sim://host/scara", "has a host"),
     ],
 )
-def test_what_cannot_be_built_is_one_clear_error(url: str, words: str) -> None:
+def test_an_impossible_gateway_causes_one_clear_error(url: str, words: str) -> None:
     with pytest.raises(ArgumentError, match=words):
         open_url(url)
 
 
-def test_two_directions_have_noise_of_their_own() -> None:
+def test_the_two_directions_have_independent_noise() -> None:
     gateway = build_gateway(chances={"loss": 0.5}, seed=1)
     assert gateway.receive(b"H\r" * 50, 0.0) != build_gateway(chances={"loss": 0.5}, seed=2).receive(b"H\r" * 50, 0.0)

@@ -1,4 +1,4 @@
-"""Noise is repeatable and as frequent as asked for; a slow line overflows as its FIFOs say."""
+"""Noise is repeatable and has the given probability; a slow line overflows as its FIFOs determine."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def spoiled(noise: Noise, data: bytes) -> bytes:
 
 
 @given(seed=st.integers(0, 2**32), cuts=st.lists(st.integers(0, len(STREAM)), max_size=20))
-def test_the_same_seed_spoils_the_same_bytes_however_the_stream_is_cut(seed: int, cuts: list[int]) -> None:
+def test_a_seed_changes_the_same_bytes_however_the_stream_is_cut(seed: int, cuts: list[int]) -> None:
     chances = {"loss": 0.02, "flip": 0.02, "double": 0.02, "stall": 0.02}
     whole = spoiled(Noise(seed, **chances), STREAM)
     noise = Noise(seed, **chances)
@@ -33,40 +33,40 @@ def test_the_same_seed_spoils_the_same_bytes_however_the_stream_is_cut(seed: int
     assert b"".join(spoiled(noise, STREAM[a:b]) for a, b in pairwise(places)) == whole
 
 
-def test_another_seed_spoils_other_bytes() -> None:
+def test_another_seed_changes_other_bytes() -> None:
     assert spoiled(Noise(1, loss=0.01), STREAM) != spoiled(Noise(2, loss=0.01), STREAM)
 
 
 @pytest.mark.parametrize("chance", [0.001, 0.01, 0.3, 1.0])
-def test_bytes_are_lost_as_often_as_asked_for(chance: float) -> None:
+def test_bytes_are_lost_with_the_given_probability(chance: float) -> None:
     data = bytes(200_000)
     lost = len(data) - len(spoiled(Noise(7, loss=chance), data))
     deviation = (len(data) * chance * (1 - chance)) ** 0.5
     assert abs(lost - len(data) * chance) <= 5 * deviation
 
 
-def test_a_flip_inverts_one_bit_any_of_the_eight() -> None:
+def test_a_flip_inverts_any_one_of_the_eight_bits() -> None:
     flips = Counter(spoiled(Noise(3, flip=0.1), bytes(50_000)))
     assert set(flips) == {0, 1, 2, 4, 8, 16, 32, 64, 128}
 
 
-def test_a_doubled_byte_comes_twice_in_its_place() -> None:
+def test_a_duplicated_byte_arrives_twice_in_its_place() -> None:
     assert spoiled(Noise(1, double=1.0), b"abc") == b"aabbcc"
 
 
-def test_without_noise_nothing_changes() -> None:
+def test_a_line_without_noise_changes_no_byte() -> None:
     assert Noise(5).spoil(STREAM) == [STREAM]
 
 
 @pytest.mark.parametrize(
     ("chances", "words"), [({"loss": -0.1}, "loss=-0.1"), ({"loss": 0.7, "flip": 0.7}, "together")]
 )
-def test_what_is_no_probability_is_refused(chances: dict[str, float], words: str) -> None:
+def test_an_invalid_probability_is_refused(chances: dict[str, float], words: str) -> None:
     with pytest.raises(ArgumentError, match=words):
         Noise(0, **chances)
 
 
-def test_a_noisy_line_spoils_both_directions_apart() -> None:
+def test_a_noisy_line_changes_both_directions_independently() -> None:
     deaf = NoisyLine(VirtualGateway(), Noise(loss=1.0), Noise())
     assert deaf.receive(b"W1005\r", 0.0) == b""
     assert deaf.memory[0x10] == 0
@@ -75,7 +75,7 @@ def test_a_noisy_line_spoils_both_directions_apart() -> None:
     assert mute.memory[0x10] == 5
 
 
-def test_a_stall_holds_back_what_follows_until_it_ends() -> None:
+def test_a_stall_delays_later_bytes_until_it_ends() -> None:
     line = NoisyLine(VirtualGateway(), Noise(), Noise(stall=1.0, stall_seconds=0.5))
     assert line.receive(b"H\r", 1.0) == b""
     assert line.next_due == 1.0 + 0.5
@@ -109,7 +109,7 @@ def slow_gateway(**changes: object) -> tuple[VirtualGateway, SlowLine]:
 
 def test_a_response_that_fills_the_transmit_fifo_delays_the_next_request() -> None:
     _, line = slow_gateway()
-    # 40 bytes of response at 1000 a second: the last enters the FIFO of 16 after 24 ms, and arrives after 40.
+    # 40 bytes of response at 1000 bytes/s: the last enters the FIFO of 16 bytes after 24 ms, and arrives after 40 ms.
     assert line.receive(b"RM0004\rH\r", 0.0) == b""
     assert line.next_due == pytest.approx(0.024)
     line.advance(0.0239)
@@ -122,7 +122,7 @@ def test_a_response_that_fills_the_transmit_fifo_delays_the_next_request() -> No
     assert line.advance(0.0431) == b"H\r\n"
 
 
-def test_bytes_beyond_the_receive_fifo_are_lost_and_their_frame_says_so() -> None:
+def test_bytes_beyond_the_receive_fifo_are_lost_and_reported_by_their_frame() -> None:
     _, line = slow_gateway()
     line.receive(b"RM00FF\r", 0.0)
     assert line.receive(b"W1001\rW1102\rW1203\rW1304\rW1405\rW1506\r", 0.001) == b""
@@ -130,7 +130,7 @@ def test_bytes_beyond_the_receive_fifo_are_lost_and_their_frame_says_so() -> Non
     assert line.receive(b"lost as well\r", 0.002) == b""
     later = line.advance(10.0)
     assert later.endswith(b"0\r\nW10\r\nW11\r\nW12\r\nW13\r\nW14\r\n")
-    # Two characters of the last write came through, and now an end.
+    # Two characters of the last write arrived, and its end arrives now.
     line.receive(b"\r", 10.0)
     assert line.advance(10.1) == b"X09\r\n"
     line.receive(b"H\r", 10.1)
@@ -138,7 +138,7 @@ def test_bytes_beyond_the_receive_fifo_are_lost_and_their_frame_says_so() -> Non
     assert line.memory[0x15] == 0
 
 
-def test_with_flow_control_nothing_is_lost() -> None:
+def test_no_byte_is_lost_with_flow_control() -> None:
     _, line = slow_gateway(features=Feature(0x7F))
     line.receive(b"RM00FF\r", 0.0)
     line.receive(b"H\r" * 100, 0.001)
@@ -146,10 +146,10 @@ def test_with_flow_control_nothing_is_lost() -> None:
     assert line.advance(10.0).endswith(b"0\r\n" + b"H\r\n" * 100)
 
 
-def test_samples_that_the_line_has_no_time_for_are_overruns() -> None:
+def test_samples_beyond_the_rate_of_the_line_are_overruns() -> None:
     gateway, line = slow_gateway()
     line.receive(b"GS000100640110\rGN00\r", 0.0)
-    # 1000 samples a second, on a line of 1000 bytes a second.
+    # 1000 samples per second, on a line of 1000 bytes per second.
     arrived = line.advance(10.0)
     assert len(arrived) == pytest.approx(10_000, rel=0.01)
     size = arrived.index(b"P", arrived.index(b"P") + 1) - arrived.index(b"P")
@@ -160,7 +160,7 @@ def test_samples_that_the_line_has_no_time_for_are_overruns() -> None:
     assert gateway.groups.overruns == pytest.approx(10_000 - on_their_way, abs=100)
 
 
-def test_a_trigger_passes_the_word_on() -> None:
+def test_a_slow_line_passes_on_the_notice_of_a_trigger() -> None:
     gateway = VirtualGateway()
     line = NoisyLine(SlowLine(gateway, 1e6), Noise(), Noise())
     woken: list[bool] = []
@@ -181,7 +181,7 @@ def test_a_line_without_a_rate_is_refused() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("asked", [b"", b"RM00FF\r" * 10], ids=["samples", "answers"])
-def test_a_line_that_stands_still_keeps_no_more_than_a_socket(asked: bytes) -> None:
+def test_a_stalled_line_buffers_no_more_than_a_socket(asked: bytes) -> None:
     line = NoisyLine(VirtualGateway(), Noise(), Noise(stall=0.01, stall_seconds=60))
     line.receive(b"GS000900010110\rGN00\r", 0.0)
     tracemalloc.start()
@@ -191,7 +191,7 @@ def test_a_line_that_stands_still_keeps_no_more_than_a_socket(asked: bytes) -> N
             line.advance(now)
             if asked and line.waiting < HIGH_WATER:
                 line.receive(asked, now)
-        # Without a bound it keeps 15 MB and more; a process that ran other tests allocates some itself.
+        # An unlimited buffer would keep more than 15 MB; a process that ran other tests allocates some memory itself.
         assert tracemalloc.get_traced_memory()[0] < 16 * HIGH_WATER
     finally:
         tracemalloc.stop()

@@ -1,4 +1,4 @@
-"""The gateway model keeps to the protocol where single vectors do not reach: sequences, damage, limits of memory."""
+"""The gateway model follows the protocol where single vectors do not suffice: sequences, damage, memory limits."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def reply(body: bytes, session: int = SESSION) -> bytes:
 
 
 def in_session(gateway: VirtualGateway, first: int = 0, session: int = SESSION) -> VirtualGateway:
-    """Begin a program's session with a gateway."""
+    """Open a program's session with a gateway."""
     answer = gateway.receive(CODEC.framing.checked(CODEC.opening(first, session)), 0.0)
     assert answer.startswith(CODEC.opening(first, session))
     return gateway
@@ -86,7 +86,7 @@ def test_writes_are_executed_once_each_and_in_order(steps: list[tuple[str, int]]
 
 
 @given(data=st.binary(max_size=300), cuts=st.lists(st.integers(0, 300), max_size=5))
-def test_no_bytes_do_harm_and_no_cut_matters(data: bytes, cuts: list[int]) -> None:
+def test_arbitrary_bytes_do_no_harm_however_they_are_cut(data: bytes, cuts: list[int]) -> None:
     whole, pieces = VirtualGateway(), VirtualGateway()
     expected = whole.receive(data, 0.0)
     places = [0, *sorted(cuts), len(data)]
@@ -105,7 +105,7 @@ def test_no_bytes_do_harm_and_no_cut_matters(data: bytes, cuts: list[int]) -> No
         )
     )
 )
-def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tuple[Any, ...]]) -> None:
+def test_the_short_path_for_single_words_has_the_answers_of_the_long_one(requests: list[tuple[Any, ...]]) -> None:
     info = GatewayInfo(address_bits=9, data_bits=14)
     codec = Codec(info)
     quick, slow = VirtualGateway(info), VirtualGateway(info)
@@ -131,14 +131,14 @@ def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tu
         assert quick._sequence.outcomes == slow._sequence.outcomes
 
 
-def test_a_repeated_read_is_read_again_and_a_repeated_destructive_read_gives_the_same_words() -> None:
+def test_a_repeated_read_is_executed_again_unless_it_is_destructive() -> None:
     gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
     assert gateway.receive(frame("R", 0, 0x10), 0.0) == reply(b"r00000000001")
     assert gateway.receive(frame("R", 0, 0x10), 0.0) == reply(b"r00000000002")
     for _ in range(2):
         assert gateway.receive(frame("RQ", 1, 0x10, 2), 0.0) == reply(b"rq0010000000300000004")
-    # The second word of the queue read stands in the same place, and the first is still there.
+    # The second word of the queue read has the same storage place, and the first word is still stored.
     for _ in range(2):
         assert gateway.receive(frame("WK", 2, 0x10, 0xFF, 0x77), 0.0) == reply(b"wk00200000005")
     assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == reply(b"rq00100000003")
@@ -147,7 +147,7 @@ def test_a_repeated_read_is_read_again_and_a_repeated_destructive_read_gives_the
 
 
 @pytest.mark.parametrize("code", [ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT])
-def test_a_repetition_of_what_failed_is_answered_by_its_error(code: ErrorCode) -> None:
+def test_a_repetition_of_a_failed_request_is_answered_by_its_error(code: ErrorCode) -> None:
     gateway = in_session(VirtualGateway())
     gateway.attach(Failing(code), [0x10])
     requests: list[tuple[Any, ...]] = [
@@ -166,7 +166,7 @@ def test_a_repetition_of_what_failed_is_answered_by_its_error(code: ErrorCode) -
         assert gateway.receive(frame("H", number), 0.0) == refused[number]
 
 
-def test_an_h_counts_the_posted_writes_of_the_session_that_failed() -> None:
+def test_an_h_returns_the_count_of_failed_posted_writes_of_the_session() -> None:
     gateway = in_session(VirtualGateway())
     gateway.attach(Failing(), [0x10])
     number = 0
@@ -179,7 +179,7 @@ def test_an_h_counts_the_posted_writes_of_the_session_that_failed() -> None:
     assert gateway.receive(frame("H", 9, session=SESSION + 1), 0.0) == reply(b"h009000", SESSION + 1)
 
 
-def test_frames_of_another_session_or_direction_are_damaged_ones_to_the_gateway() -> None:
+def test_frames_of_another_session_or_direction_count_as_damaged() -> None:
     gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
     for session in (SESSION + 1, 0):
@@ -189,7 +189,7 @@ def test_frames_of_another_session_or_direction_are_damaged_ones_to_the_gateway(
 
 
 @pytest.mark.parametrize("command", sorted(set(CODEC.commands) - LOOKING))
-def test_in_the_session_of_a_program_what_changes_something_has_an_id(command: str) -> None:
+def test_requests_that_change_state_need_an_id_in_a_programs_session(command: str) -> None:
     values: dict[str, tuple[Any, ...]] = {
         "W": (0x10, 1),
         "WS": (0x10, 1),
@@ -211,7 +211,7 @@ def test_in_the_session_of_a_program_what_changes_something_has_an_id(command: s
     assert (device.reads, device.writes, gateway.expected) == (0, [], 0)
 
 
-def test_a_session_is_not_begun_twice_and_tells_which_one_it_ends() -> None:
+def test_a_session_opens_once_and_the_answer_names_the_one_it_ends() -> None:
     gateway = in_session(VirtualGateway())
     for form in (CODEC.framing.checked, CODEC.framing.plain_request):
         assert gateway.receive(form(CODEC.opening(5, SESSION)), 0.0).startswith(b"X0B")
@@ -222,7 +222,7 @@ def test_a_session_is_not_begun_twice_and_tells_which_one_it_ends() -> None:
     assert gateway.receive(b"K\r", 0.0) == b"K0000\r\n"
 
 
-def test_a_block_write_stops_at_the_word_that_fails_and_keeps_what_was_written() -> None:
+def test_a_block_write_stops_at_its_failed_word_and_keeps_earlier_words() -> None:
     gateway = in_session(VirtualGateway())
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x12])
     assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == reply(b"x00004")
@@ -237,7 +237,7 @@ def test_a_block_is_written_and_read_word_for_word_and_wraps() -> None:
     assert gateway.receive(frame("RM", 1, 0xFE, 3), 0.0) == reply(answer)
 
 
-def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
+def test_a_masked_write_whose_read_fails_does_not_write() -> None:
     class Unreadable(Counting):
         def read(self, offset: int, now: float) -> int:
             raise AccessError(ErrorCode.BUS_TIMEOUT)
@@ -248,7 +248,7 @@ def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
     assert device.writes == []
 
 
-def test_a_frame_with_lost_bytes_is_answered_by_an_overflow_in_the_form_of_its_end() -> None:
+def test_a_frame_with_lost_bytes_causes_an_overflow_error_in_its_form() -> None:
     gateway = VirtualGateway()
     gateway.receive(b"R0", 0.0)
     gateway.overflow()
@@ -279,7 +279,7 @@ def test_endless_noise_without_an_end_takes_no_memory() -> None:
     assert gateway.receive(b"\n", 0.0) == CODEC.framing.checked(b"X07")
 
 
-def test_a_device_may_give_negative_words() -> None:
+def test_a_device_may_return_negative_words() -> None:
     class Negative(Counting):
         def read(self, offset: int, now: float) -> int:
             return -2 if offset == 0 else np.int32(-3)  # type: ignore[return-value]
@@ -291,7 +291,7 @@ def test_a_device_may_give_negative_words() -> None:
     assert gateway.receive(b"R10\r", 0.0) == b"R1000000000\r\n"
 
 
-def test_a_reset_forgets_session_groups_and_half_a_frame_but_not_the_memory() -> None:
+def test_a_reset_clears_session_groups_and_half_a_frame_but_not_memory() -> None:
     gateway = VirtualGateway()
     gateway.receive(b"K0551234\rW1077\rGS000100010110\rGN00\rI01\rR1", 0.0)
     assert (gateway.expected, gateway.send_immediate) == (0x55, 1)
@@ -301,7 +301,7 @@ def test_a_reset_forgets_session_groups_and_half_a_frame_but_not_the_memory() ->
 
 
 @given(numbers=st.lists(st.integers(0, RING - 1), min_size=1), plain=st.booleans())
-def test_nothing_with_an_id_is_executed_between_a_reset_and_the_next_session(numbers: list[int], plain: bool) -> None:
+def test_no_request_with_an_id_is_executed_after_a_reset(numbers: list[int], plain: bool) -> None:
     gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
     gateway.reset()
@@ -314,7 +314,7 @@ def test_nothing_with_an_id_is_executed_between_a_reset_and_the_next_session(num
             if plain:
                 assert gateway.receive(CODEC.framing.plain_request(body), 0.0) == refused + b"0000\r\n"
             else:
-                # The proof that it came whole: what the number of its session has become in the check.
+                # The CRC residue shows that the frame arrived undamaged: it depends only on the session's number.
                 residue = CODEC.framing.crc.of(body, seed) ^ CODEC.framing.crc.of(body)
                 answer = gateway.receive(CODEC.framing.checked(body, seed), 0.0)
                 assert answer == CODEC.framing.checked(b"%b%04X" % (refused, residue))
@@ -325,7 +325,7 @@ def test_nothing_with_an_id_is_executed_between_a_reset_and_the_next_session(num
     assert device.writes == [5, 7]
 
 
-def test_a_new_session_tells_of_a_gap_again() -> None:
+def test_a_gap_is_reported_again_in_a_new_session() -> None:
     gateway = in_session(VirtualGateway(), 5)
     assert gateway.receive(frame("H", 7), 0.0) == reply(b"n005")
     assert gateway.receive(frame("H", 8), 0.0) == b""
@@ -351,27 +351,27 @@ def test_impossible_gateways_are_refused() -> None:
 
 
 @pytest.mark.parametrize(("address", "word"), [(0x100, 0), (-1, 0), (0, 1 << 32), (0, -1)])
-def test_memory_takes_only_what_fits(address: int, word: int) -> None:
+def test_memory_accepts_only_valid_addresses_and_words(address: int, word: int) -> None:
     with pytest.raises(ArgumentError, match="does not fit"):
         VirtualGateway().memory[address] = word
 
 
-def test_a_device_is_attached_only_where_addresses_are() -> None:
+def test_a_device_is_attached_only_to_existing_addresses() -> None:
     with pytest.raises(ArgumentError, match="0x100 does not fit in 8 bits"):
         VirtualGateway().attach(Counting(), [0xFF, 0x100])
 
 
-def test_a_device_is_attached_only_where_no_other_one_is() -> None:
+def test_a_device_is_not_attached_to_addresses_of_another_one() -> None:
     gateway = VirtualGateway()
     gateway.attach(Counting(), [0x20, 0x21])
     with pytest.raises(ArgumentError, match=r"address 0x21 has a device, <.*Counting.*>: detach that first"):
         gateway.attach(Failing(), [0x22, 0x21])
-    assert gateway.receive(b"R22\r", 0.0) == b"R2200000000\r\n", "all of them or none"
+    assert gateway.receive(b"R22\r", 0.0) == b"R2200000000\r\n", "a device has all of its addresses or none"
     gateway.detach([0x21])
     gateway.attach(Failing(), [0x22, 0x21])
 
 
-def test_what_has_no_way_to_be_read_or_written_is_no_device() -> None:
+def test_an_object_without_read_or_write_is_refused_as_a_device() -> None:
     class ReadOnly:
         def read(self, offset: int, now: float) -> int:
             return 0
@@ -381,7 +381,7 @@ def test_what_has_no_way_to_be_read_or_written_is_no_device() -> None:
 
 
 @pytest.mark.parametrize("word", [None, 1.5, "1", ZeroDivisionError("in the device"), asyncio.CancelledError()])
-def test_a_bug_of_a_device_is_a_bus_error_of_who_asks_and_logged_for_its_author(
+def test_a_bug_in_a_device_is_a_bus_error_for_the_client_and_logged(
     word: Any, caplog: pytest.LogCaptureFixture
 ) -> None:
     class Buggy(Counting):

@@ -1,4 +1,4 @@
-"""Groups publish at their true instants."""
+"""Groups publish at the correct instants."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from unity_link.virtual.faults import Failing
 
 PERIODIC, TRIGGER, STAMPED, ON_CHANGE, PLAIN = 1, 2, 8, 16, 32
 WORDS_WAITING = 512
-"""That samples wait in, where groups have up to 255 addresses."""
+"""Size of the buffer of waiting samples, in words, if groups have up to 255 addresses."""
 
 
 CRC = Crc()
 
 
 class Clocked:
-    """A device that reads as the time in microseconds."""
+    """A device whose words are the time in microseconds."""
 
     def read(self, offset: int, now: float) -> int:
         return round(now * 1e6)
@@ -67,16 +67,16 @@ def setting(group: int, flags: int, divisor: int, *addresses: int) -> str:
     return f"GS{group:02X}{flags:02X}{divisor:04X}{len(addresses):02X}" + "".join(f"{a:02X}" for a in addresses)
 
 
-def test_a_group_publishes_at_whole_multiples_of_the_base_tick_with_clock_timestamps() -> None:
+def test_a_group_publishes_at_multiples_of_the_base_tick() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC | STAMPED, 10, 0x10), "GN00")
-    # 100 kHz base, 50 MHz clock: the first tick is at 500 clocks, the next sample ten ticks later.
+    # Base tick of 100 kHz, clock of 50 MHz: the first tick is at clock 500, the next sample ten ticks later.
     assert stamps(gateway.advance(0.000_311)) == [500, 5500, 10500, 15500]
     assert gateway.next_due == pytest.approx(0.000_410, abs=1e-12)
 
 
 @given(calls=st.lists(st.floats(0, 0.01), max_size=30), divisor=st.integers(1, 50))
-def test_when_the_caller_comes_changes_nothing(calls: list[float], divisor: int) -> None:
+def test_the_times_of_calls_do_not_change_the_samples(calls: list[float], divisor: int) -> None:
     gateway = VirtualGateway()
     gateway.attach(Clocked(), [0x10])
     send(gateway, setting(0, PERIODIC | STAMPED, divisor, 0x10), "GN00")
@@ -86,7 +86,7 @@ def test_when_the_caller_comes_changes_nothing(calls: list[float], divisor: int)
     assert sequences(sent) == [index % 256 for index in range(len(ticks))]
 
 
-def test_advancing_from_due_to_due_meets_every_sample_alone() -> None:
+def test_advancing_to_each_due_time_returns_one_sample() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 7, 0x10), "GN00", now=1234.5)
     count = 0
@@ -107,7 +107,7 @@ def test_timestamps_wrap_at_32_bits() -> None:
     assert first < 500
 
 
-def test_a_clock_that_is_no_multiple_of_the_base_rounds_down_without_drift() -> None:
+def test_a_clock_that_is_no_multiple_of_the_base_causes_no_drift() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=3_000_000, clock_hz=10_000))
     send(gateway, setting(0, PERIODIC | STAMPED, 1, 0x10), "GN00")
     assert stamps(gateway.advance(0.0021)) == [3, 6, 10, 13, 16, 20]
@@ -143,14 +143,14 @@ def test_a_trigger_makes_running_groups_with_the_flag_due_at_its_instant() -> No
     assert [(sample.group, sample.rest[:8]) for sample in samples(published)] == [(0, b"000186A0"), (2, b"000186A0")]
 
 
-def test_starting_a_running_group_begins_at_the_next_tick_again() -> None:
+def test_a_restarted_group_begins_at_the_next_tick() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC | STAMPED, 100, 0x10), "GN00")
     assert stamps(gateway.advance(0.000_5)) == [500]
     assert stamps(send(gateway, "GN00", now=0.000_5) + gateway.advance(0.001)) == [51 * 500]
 
 
-def test_a_stopped_group_goes_on_counting_where_it_was() -> None:
+def test_a_restarted_group_continues_its_count() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     assert sequences(gateway.advance(0.000_031)) == [0, 1, 2]
@@ -177,20 +177,20 @@ def test_on_change_publishes_the_first_sample_and_then_changes_only() -> None:
     assert sequences(send(gateway, "GN00", now=0.003_001) + gateway.advance(0.004_001)) == [4]
 
 
-def test_samples_without_room_wait_and_leave_in_their_order() -> None:
+def test_samples_without_space_wait_and_are_sent_in_order() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     assert sequences(gateway.advance(0.000_051, room=0)) == []
-    # Room for one byte is room for a sample: it is sent as the line takes it.
+    # Space for one byte is enough to send a sample, because the line takes it byte by byte.
     assert sequences(gateway.advance(0.000_061, room=len(checked(b"P000000000000")) + 1)) == [0, 1]
     assert gateway.next_due == pytest.approx(0.000_07)
     assert sequences(gateway.advance(0.000_081)) == [2, 3, 4, 5, 6, 7]
     assert gateway.groups.overruns == 0
 
 
-def test_a_sample_for_which_nothing_is_left_where_samples_wait_counts_and_is_gone() -> None:
+def test_a_sample_without_space_in_the_buffer_is_dropped_and_counted() -> None:
     gateway = VirtualGateway()
-    # Of 257 words of the ring, and of 2: beside one of the first there is room for 127 of the others.
+    # Samples of 257 words and of 2 words: beside one of the first, the buffer has space for 127 of the others.
     send(gateway, setting(0, PERIODIC | STAMPED, 1000, *range(255)), setting(1, PERIODIC, 1, 0x10), "GN00", "GN01")
     gateway.advance(0.000_001)
     assert gateway.advance(0.030_001, room=0) == b""
@@ -201,7 +201,7 @@ def test_a_sample_for_which_nothing_is_left_where_samples_wait_counts_and_is_gon
     assert sequences(gateway.advance(0.030_011)) == [3, 3000 % 256]
 
 
-def test_samples_that_wait_are_asked_for_although_none_is_due() -> None:
+def test_waiting_samples_make_a_gateway_due() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, TRIGGER, 1, 0x10), "GN00")
     gateway.trigger(0.001)
@@ -211,7 +211,7 @@ def test_samples_that_wait_are_asked_for_although_none_is_due() -> None:
     assert gateway.next_due is None
 
 
-def test_samples_that_wait_take_turns_with_responses() -> None:
+def test_waiting_samples_and_responses_are_sent_alternately() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     gateway.advance(0.000_031, room=0)
@@ -227,13 +227,13 @@ def test_samples_that_wait_take_turns_with_responses() -> None:
         (setting(0, PERIODIC, 1, 0x20), "GS00"),
         (setting(2, 0, 1, 0x20), "GS02"),
         ("gx00000", "gx000"),
-        # Errors in the place of such a response.
+        # Errors instead of such a response.
         (setting(0, PERIODIC, 0, 0x20), "X06"),
         ("GN07", "X06"),
         ("gx00007", "x00006"),
     ],
 )
-def test_what_waits_leaves_before_the_answer_to_a_group_command(command: str, answer: str) -> None:
+def test_waiting_samples_are_sent_before_the_answer_to_a_group_command(command: str, answer: str) -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "K0000001", "GN00", "GN01")
     gateway.advance(0.000_101, room=0)
@@ -242,7 +242,7 @@ def test_what_waits_leaves_before_the_answer_to_a_group_command(command: str, an
     assert frames[-2:] == [answer.encode(), b"H"]
 
 
-def test_a_session_discards_the_samples_that_wait() -> None:
+def test_a_session_discards_the_waiting_samples() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     gateway.advance(0.000_101, room=0)
@@ -250,7 +250,7 @@ def test_a_session_discards_the_samples_that_wait() -> None:
     assert (gateway.next_due, gateway.advance(0.01)) == (None, b"")
 
 
-def test_samples_of_a_session_have_its_number_in_their_check() -> None:
+def test_the_crc_of_a_sample_depends_on_the_session() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, 0, 1, 0x10))
     without = gateway.receive(checked(b"GP00"), 0.0)
@@ -261,7 +261,7 @@ def test_samples_of_a_session_have_its_number_in_their_check() -> None:
     assert gateway.receive(checked(b"GP00"), 0.0).startswith(b"%b%04X\n" % (body, CRC.of(body, seed)))
 
 
-def test_a_sample_that_was_asked_for_leaves_behind_those_that_wait_and_before_the_response() -> None:
+def test_a_requested_sample_follows_waiting_ones_and_precedes_the_response() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     gateway.advance(0.000_031, room=0)
@@ -270,7 +270,7 @@ def test_a_sample_that_was_asked_for_leaves_behind_those_that_wait_and_before_th
     assert frames.endswith(b"GP00\r\n")
 
 
-def test_a_reset_forgets_the_samples_that_wait() -> None:
+def test_a_reset_discards_the_waiting_samples() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     gateway.advance(0.001, room=0)
@@ -278,7 +278,7 @@ def test_a_reset_forgets_the_samples_that_wait() -> None:
     assert (gateway.next_due, gateway.advance(0.002)) == (None, b"")
 
 
-def test_years_without_room_are_counted_at_once() -> None:
+def test_overruns_of_years_are_counted_at_once() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 3, 0x10), "GN00")
     gateway.advance(1e8, room=0)
@@ -287,11 +287,11 @@ def test_years_without_room_are_counted_at_once() -> None:
     assert gateway.groups.overruns == (10**13 - 1) // 3 + 1 - waiting
 
 
-def test_overruns_of_a_group_on_change_count_uncompared_and_keep_the_last_sample() -> None:
+def test_overruns_of_a_group_on_change_keep_its_last_sample() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC | ON_CHANGE, 1, 0x10), setting(1, TRIGGER, 1, *range(255)), "GN00", "GN01")
     gateway.advance(0.000_011)
-    # Two samples of 256 words leave no room.
+    # Two samples of 256 words fill the buffer.
     gateway.trigger(0.000_012)
     gateway.trigger(0.000_013)
     gateway.advance(0.000_041, room=0)
@@ -300,10 +300,10 @@ def test_overruns_of_a_group_on_change_count_uncompared_and_keep_the_last_sample
     assert sequences(gateway.advance(0.000_061)) == [4]
 
 
-def test_a_trigger_or_a_request_without_room_is_an_overrun() -> None:
+def test_a_trigger_or_a_request_without_space_is_an_overrun() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, TRIGGER, 1, 0x10), setting(1, PERIODIC, 100, *range(255)), "GN00", "GN01")
-    # Two samples of 256 words leave no room.
+    # Two samples of 256 words fill the buffer.
     gateway.trigger(0.001_5)
     assert gateway.advance(0.001_6, room=0) == b""
     assert [sample.group for sample in samples(send(gateway, "GP00", now=0.001_6))] == [1, 1]
@@ -344,7 +344,7 @@ def test_plain_groups_publish_plain_frames() -> None:
     assert gateway.advance(0.000_011) == b"P000000000000\r\n"
 
 
-def test_publishes_that_became_due_come_before_the_answer_to_what_arrives_later() -> None:
+def test_due_samples_are_sent_before_the_answer_to_a_later_request() -> None:
     gateway = VirtualGateway()
     send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
     answer = send(gateway, "W1005", now=0.000_025)

@@ -1,4 +1,4 @@
-"""The clock of a gateway that leaves time out, as compiled gateware does: behind a pause, and where it is too slow."""
+"""The model clock of a gateway that leaves out time, as compiled gateware does: after a pause, and if it is slow."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ SLICE = 0.001
 
 
 class Loop(asyncio.SelectorEventLoop):
-    """A loop with a clock of the test's own, which calls back when the test says so."""
+    """An event loop whose clock and callbacks the test controls."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -39,7 +39,7 @@ class Loop(asyncio.SelectorEventLoop):
 
 
 class Gateway:
-    """Works out slices of time, each of which takes some of the loop's."""
+    """Simulates slices of time, each of which takes some time of the event loop."""
 
     leaves_time_out = True
     waiting = 0
@@ -75,7 +75,7 @@ def loop() -> Iterator[Loop]:
 
 
 @pytest.mark.parametrize("pause", [0.2, 0.9])
-def test_what_comes_behind_a_pause_finds_that_all_of_its_time_has_passed(loop: Loop, pause: float) -> None:
+def test_all_time_of_a_pause_has_passed_for_a_later_request(loop: Loop, pause: float) -> None:
     gateway = Gateway(loop, 0.4 * SLICE)
     clock = ModelClock(gateway, lambda _: None, loop)
     for _ in range(100):
@@ -90,7 +90,7 @@ def test_what_comes_behind_a_pause_finds_that_all_of_its_time_has_passed(loop: L
     clock.close()
 
 
-def test_a_very_long_pause_does_not_stop_the_loop_for_as_long(loop: Loop) -> None:
+def test_a_very_long_pause_does_not_block_the_loop(loop: Loop) -> None:
     gateway = Gateway(loop, 0.4 * SLICE)
     clock = ModelClock(gateway, lambda _: None, loop)
     loop.fire()
@@ -103,7 +103,7 @@ def test_a_very_long_pause_does_not_stop_the_loop_for_as_long(loop: Loop) -> Non
     clock.close()
 
 
-def test_one_that_is_too_slow_leaves_the_loop_its_turns(loop: Loop) -> None:
+def test_a_slow_gateway_does_not_block_the_loop(loop: Loop) -> None:
     gateway = Gateway(loop, 2.5 * SLICE)
     clock = ModelClock(gateway, lambda _: None, loop)
     turns = []
@@ -112,7 +112,7 @@ def test_one_that_is_too_slow_leaves_the_loop_its_turns(loop: Loop) -> None:
         loop.fire()
         turns.append(loop.now - begun)
     assert max(turns) <= MOST_TURN + 3 * SLICE
-    # It runs at its own pace.
+    # The gateway runs at its own pace.
     assert gateway.left_out == pytest.approx(0.6 * loop.now, rel=0.1)
     assert loop.now - gateway.time <= MOST_LAG + 0.1
     clock.close()

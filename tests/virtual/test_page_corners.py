@@ -1,4 +1,4 @@
-"""Sentences of docs/protocol.md that no example shows, on the model and on the compiled gateware."""
+"""Sentences of docs/protocol.md without an example, on the model and on the compiled gateware."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ NUMBER = 0x1234
 
 
 class Person:
-    """Types frames, plain or checked, and keeps the session in mind."""
+    """Types plain or checked frames, and stores the number of the session."""
 
     def __init__(self, gateway: BareGateway) -> None:
         self.gateway, self._codec = gateway, Codec(gateway.info)
         self.number = 0
 
     def ask(self, body: bytes) -> bytes:
-        """Return the answers to a checked frame, without their checks."""
+        """Return the answers to a checked frame, without their CRCs."""
         answers = self.gateway.receive(self.frame(body), 0.0)
         return b" ".join(self.open(answer) for answer in answers.split(b"\n")[:-1])
 
@@ -62,7 +62,7 @@ def test_a_plain_group_of_a_person_stays_plain_in_a_program_s_session(make: Make
 
 @BOTH
 @pytest.mark.parametrize("fields", [{}, COMPACT], ids=["text", "compact"])
-def test_the_number_under_way_is_0b_whatever_its_highest_bit(make: Maker, fields: dict[str, int]) -> None:
+def test_the_number_of_the_open_session_is_refused_with_0b(make: Maker, fields: dict[str, int]) -> None:
     person = Person(make(**fields))
     person.begin()
     for number in (NUMBER, NUMBER | 0x8000):
@@ -79,8 +79,8 @@ def test_a_number_with_the_highest_bit_is_out_of_range_without_compact(make: Mak
 
 
 @BOTH
-def test_the_command_of_a_repetition_decides_its_answer(make: Maker) -> None:
-    """A host repeats the request itself. The answers to another one with its ID follow from how that ended."""
+def test_the_command_of_a_repetition_determines_its_answer(make: Maker) -> None:
+    """Hosts retransmit the same request; a different one with its ID is answered according to the stored outcome."""
     person = Person(with_failing(make()))
     gateway = person.gateway
     person.begin()
@@ -96,7 +96,7 @@ def test_the_command_of_a_repetition_decides_its_answer(make: Maker) -> None:
 
 
 @BOTH
-def test_a_repeated_read_that_fails_keeps_how_the_request_ended(make: Maker) -> None:
+def test_a_repeated_read_that_fails_keeps_the_outcome_of_the_request(make: Maker) -> None:
     person = Person(make())
     gateway = person.gateway
     person.begin()
@@ -109,7 +109,7 @@ def test_a_repeated_read_that_fails_keeps_how_the_request_ended(make: Maker) -> 
 
 
 @BOTH
-def test_a_session_keeps_how_the_requests_before_it_ended_and_their_words(make: Maker) -> None:
+def test_a_session_keeps_the_outcomes_and_words_of_earlier_requests(make: Maker) -> None:
     person = Person(with_failing(make()))
     gateway = person.gateway
     gateway.memory[0x0A] = 0x11

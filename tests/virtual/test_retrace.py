@@ -1,4 +1,4 @@
-"""Frames of a host, played again into the compiled gateware: the same answers, the same samples, and a waveform."""
+"""Recorded frames of a host, replayed into the compiled gateware: equal answers, equal samples, and a waveform."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def url(request: pytest.FixtureRequest) -> str:
 
 
 def snoop_of(url: str, path: Path, use: Callable[[unity_link.Link], Coroutine[Any, Any, None]]) -> Path:
-    """Make a snoop of what a program does, on simulated time."""
+    """Record a snoop of a program, on simulated time."""
 
     async def run() -> None:
         async with unity_link.connect(f"{url}&snoop={path}") as link:
@@ -83,12 +83,12 @@ def sent(body: bytes) -> bytes:
 
 
 def told(body: bytes) -> bytes:
-    """Return what the gateway tells in `SESSION`."""
+    """Return a frame of the gateway in `SESSION`."""
     return body + Crc().text(body, seed_of(1, from_gateway=True)) + b"\n"
 
 
 def written(path: Path, *packets: tuple[float, bool, bytes], name: str = "hand") -> Path:
-    """Write a snoop of packets: seconds, whether sent, bytes."""
+    """Write a snoop of packets: seconds, true if sent by the host, bytes."""
     blocks = [pcapng.packet(Packet(0, round(time * 1e9), sent, data)) for time, sent, data in packets]
     path.write_bytes(pcapng.section() + pcapng.interface(name) + b"".join(blocks))
     return path
@@ -141,7 +141,7 @@ async def a_second_with_groups(link: unity_link.Link) -> None:
 
 
 @pytest.mark.slow
-def test_a_minute_without_groups_has_the_same_answers_byte_for_byte(url: str, tmp_path: Path) -> None:
+def test_a_minute_without_groups_has_equal_answers_byte_for_byte(url: str, tmp_path: Path) -> None:
     path = snoop_of(url, tmp_path / "a.snoop", a_minute_without_groups)
     recorded = snooped(path)
     report = retraced(path)
@@ -150,7 +150,7 @@ def test_a_minute_without_groups_has_the_same_answers_byte_for_byte(url: str, tm
     assert report.seconds == pytest.approx(60, abs=2)
 
 
-def test_a_second_with_groups_has_the_same_samples_group_by_group(url: str, tmp_path: Path) -> None:
+def test_a_second_with_groups_has_equal_samples_in_each_group(url: str, tmp_path: Path) -> None:
     path = snoop_of(url, tmp_path / "a.snoop", a_second_with_groups)
     recorded = snooped(path)
     report = retraced(path)
@@ -163,7 +163,7 @@ def test_a_second_with_groups_has_the_same_samples_group_by_group(url: str, tmp_
 
 
 def waveform_of(path: Path, vcd: Path) -> Waveform:
-    """Return the waveform of all of a snoop."""
+    """Return the waveform of a whole snoop."""
     recorded = snooped(path)
     gateway = Retrace(recorded, fitting(recorded))
     assert gateway.play_into(vcd, 0.0, 100.0).differences == 0
@@ -184,8 +184,8 @@ def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
     ]:
         assert waveform.signals[f"unity_link_fifo.{core}.{name}"][1] == bits
     *_, (_, (registers,)) = waveform.cycles(f"{core}.request_executor_inst.r")
-    # The first fields of its record: four bits of state, whether there is a session and a program's, its number, and
-    # the ID expected.
+    # The first fields of the record: four bits of state, two bits for a session and a program's session, the session's
+    # number, and the next ID.
     last_id = max(step.request.id for step in recorded.steps if step.request and step.request.id is not None)
     assert (registers & 0xF, registers >> 4 & 3, registers >> 6 & 0xFFFF) == (0, 3, 1)
     assert registers >> 22 & 0xFFF == last_id + 1
@@ -194,7 +194,7 @@ def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_all_bytes_pass_the_pins_of_a_waveform_in_their_order(tmp_path: Path) -> None:
+def test_all_bytes_pass_the_pins_of_a_waveform_in_order(tmp_path: Path) -> None:
     path = snoop_of(URLS["model"], tmp_path / "a.snoop", a_second_with_groups)
     waveform, recorded = waveform_of(path, tmp_path / "a.vcd"), snooped(path)
     heard = bytes(one.byte for one in bytes_at_pins(waveform, "in"))
@@ -213,7 +213,7 @@ def test_a_request_is_found_in_the_waveform_by_its_time(tmp_path: Path) -> None:
     lone = [
         step
         for before, step in itertools.pairwise(recorded.steps)
-        # On this clock, 16 reads take more than 10 ms.
+        # With this clock, 16 reads take more than 10 ms.
         if step.time - before.time > 50e6 and heard.count(step.frame) == 1
     ]
     assert len(lone) > 50
@@ -221,7 +221,7 @@ def test_a_request_is_found_in_the_waveform_by_its_time(tmp_path: Path) -> None:
         assert step.time <= taken[heard.index(step.frame)].time <= step.time + 2 * CYCLE_NS
 
 
-def test_the_waveform_of_a_stretch_of_time_has_that_alone_and_idle_time_costs_nothing(tmp_path: Path) -> None:
+def test_a_waveform_has_only_the_given_time_without_idle_cycles(tmp_path: Path) -> None:
     path = snoop_of(URLS["gateware"], tmp_path / "a.snoop", a_minute_without_groups)
     vcd = tmp_path / "a.vcd"
     result = run("retrace", path, "--rtl", "--vcd", vcd, "--from", "20", "--to", "25")
@@ -236,7 +236,7 @@ def test_the_waveform_of_a_stretch_of_time_has_that_alone_and_idle_time_costs_no
 
 
 @pytest.mark.parametrize("noise", ["loss=0.0005&seed=3", "flip=0.0005&seed=8", "loss=0.002&seed=2"])
-def test_what_a_bad_line_lost_or_damaged_on_the_way_to_the_gateway_is_so_again(noise: str, tmp_path: Path) -> None:
+def test_losses_and_damage_on_the_way_to_the_gateway_are_replayed(noise: str, tmp_path: Path) -> None:
     path = snoop_of(f"{URLS['model']}&{noise}", tmp_path / "a.snoop", a_second_with_groups)
     recorded = snooped(path)
     report = retraced(path)
@@ -252,7 +252,7 @@ def test_what_a_bad_line_lost_or_damaged_on_the_way_to_the_gateway_is_so_again(n
     ("packets", "answers"),
     [
         (
-            # The answer to the first was lost, and the words of the queue are given again.
+            # The answer to the first request is lost, and the words of the queue are returned again.
             [
                 (2.0, True, sent(b"rq0000A02")),
                 (2.1, True, sent(b"rq0000A02")),
@@ -281,15 +281,13 @@ def test_what_a_bad_line_lost_or_damaged_on_the_way_to_the_gateway_is_so_again(n
     ],
     ids=["answered before", "damaged", "missed"],
 )
-def test_each_sign_of_loss_is_understood(
-    tmp_path: Path, packets: list[tuple[float, bool, bytes]], answers: int
-) -> None:
+def test_each_sign_of_loss_is_replayed(tmp_path: Path, packets: list[tuple[float, bool, bytes]], answers: int) -> None:
     report = retraced(written(tmp_path / "a.snoop", *SESSION, *packets))
     assert (report.first, report.differences, report.answers) == (None, 0, answers)
 
 
 class Failing:
-    """A device whose first address refuses, and whose second does not answer."""
+    """A device whose first address fails, and whose second address does not answer."""
 
     def read(self, offset: int, now: float) -> int:
         raise AccessError((ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT)[offset])
@@ -298,7 +296,7 @@ class Failing:
         raise AccessError((ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT)[offset])
 
 
-def test_errors_of_the_bus_and_refusals_come_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_errors_of_the_bus_and_refusals_are_replayed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.snoop"
     monkeypatch.setenv("UNITY_LINK_SNOOP", str(path))
 
@@ -329,9 +327,7 @@ def test_errors_of_the_bus_and_refusals_come_again(tmp_path: Path, monkeypatch: 
     assert report.answers == 3 + 7 + 1 + 1 + 1
 
 
-def test_connections_of_one_gateway_are_played_one_after_the_other(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_connections_of_one_gateway_are_replayed_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "a.snoop"
     monkeypatch.setattr("unity_link.link.connection.choose_seed", itertools.count().__next__)
     monkeypatch.setenv("UNITY_LINK_SNOOP", str(path))
@@ -347,7 +343,7 @@ def test_connections_of_one_gateway_are_played_one_after_the_other(
     assert len([step for step in snooped(path).steps if step.frame == b"\nQ\r"]) == 2
 
 
-def test_a_node_on_a_shared_medium_is_played_into_one_of_its_number(tmp_path: Path) -> None:
+def test_a_node_on_a_shared_medium_is_replayed_into_a_node_of_its_number(tmp_path: Path) -> None:
     async def use(link: unity_link.Link) -> None:
         await link.write(1, 7)
         assert await link.read(1) == 7
@@ -386,7 +382,7 @@ WRITTEN, REFUSED = told(b"w000").decode().strip(), told(b"x00006").decode().stri
     ],
     ids=["answer", "stray", "sample"],
 )
-def test_the_first_difference_is_named_by_its_time_and_frame(
+def test_the_first_difference_is_reported_with_its_time_and_frame(
     tmp_path: Path, packets: list[tuple[float, bool, bytes]], words: str
 ) -> None:
     result = run("retrace", written(tmp_path / "a.snoop", *SESSION, *packets), "--rtl")
@@ -394,7 +390,7 @@ def test_the_first_difference_is_named_by_its_time_and_frame(
     assert result.stderr.replace("error: ", "").startswith(words)
 
 
-def test_an_answer_that_was_lost_is_not_compared(tmp_path: Path) -> None:
+def test_a_lost_answer_is_not_compared(tmp_path: Path) -> None:
     path = written(
         tmp_path / "a.snoop",
         *SESSION,
@@ -425,7 +421,7 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_wrong_use_is_one_sentence(
+def test_wrong_use_of_retrace_causes_one_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], words: str
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -436,7 +432,7 @@ def test_wrong_use_is_one_sentence(
     written(tmp_path / "wide", (1.0, True, b"\nQ\r"), (1.1, False, b"Q" + wide + b"\r\n"))
     (tmp_path / "two").write_bytes(good + written(tmp_path / "other", *SESSION, name="other").read_bytes())
     result = run("retrace", *arguments)
-    # A file that is not there is a failure, as in `check` and `export`.
+    # A missing file is a failure, as for `check` and `export`.
     assert result.returncode == (1 if "cannot be read" in words else 2)
     assert result.stdout == ""
     assert result.stderr.startswith(f"error: {words}")
@@ -444,7 +440,7 @@ def test_wrong_use_is_one_sentence(
 
 
 @pytest.mark.slow
-def test_a_waveform_that_does_not_fit_on_the_disk_is_one_sentence(tmp_path: Path) -> None:
+def test_the_error_for_a_full_disk_is_one_sentence(tmp_path: Path) -> None:
     path = snoop_of(URLS["model"], tmp_path / "a.snoop", a_second_with_groups)
     result = run("retrace", path, "--rtl", "--vcd", "/dev/full")
     assert (result.returncode, result.stderr) == (
@@ -453,7 +449,7 @@ def test_a_waveform_that_does_not_fit_on_the_disk_is_one_sentence(tmp_path: Path
     )
 
 
-def test_of_a_file_that_was_cut_what_is_whole_is_played(tmp_path: Path) -> None:
+def test_the_complete_records_of_a_cut_file_are_replayed(tmp_path: Path) -> None:
     path = written(tmp_path / "a.snoop", *SESSION, (2.0, True, sent(b"r0000A")), (2.1, False, told(b"r00000000009")))
     path.write_bytes(path.read_bytes()[:-3])
     result = run("retrace", path, "--rtl")
@@ -462,7 +458,7 @@ def test_of_a_file_that_was_cut_what_is_whole_is_played(tmp_path: Path) -> None:
     assert "it is cut at byte" in result.stderr
 
 
-def test_a_gateway_of_other_limits_is_played_into_the_build_that_is_most_like_it_and_that_is_said(
+def test_a_gateway_with_other_limits_is_replayed_into_the_most_similar_build(
     tmp_path: Path,
 ) -> None:
     async def use(link: unity_link.Link) -> None:
@@ -483,12 +479,12 @@ def test_the_last_bytes_of_explain_and_retrace_have_the_same_time(tmp_path: Path
     assert sent == [step.time / 1e9 for step in snooped(path).steps]
 
 
-def test_no_gateway_is_chosen_where_the_widths_differ() -> None:
+def test_no_gateway_is_chosen_if_the_widths_differ() -> None:
     with pytest.raises(ArgumentError, match="id_digits=2, crc_bits=16"):
         fitting(Snooped(GatewayInfo(id_digits=2), None, [], {}, 0.0, 0))
 
 
-def test_requests_beside_a_group_that_has_nothing_to_publish_are_found_by_their_time(tmp_path: Path) -> None:
+def test_requests_beside_a_silent_group_are_found_by_their_time(tmp_path: Path) -> None:
     async def use(link: unity_link.Link) -> None:
         async with link.subscribe([0x20], rate_hz=100, on_change=True):
             for number in range(20):
@@ -520,7 +516,7 @@ COMPACT = choose({**makers.COMPACT}).info
 """A gateway with the compact form."""
 
 
-def test_cut_frames_in_a_session_in_compact_form_have_the_same_answers(tmp_path: Path) -> None:
+def test_cut_frames_in_a_compact_session_have_equal_answers(tmp_path: Path) -> None:
     gateway, codec, packer = (
         VirtualGateway(COMPACT),
         Codec(COMPACT),

@@ -1,4 +1,4 @@
-"""The compiled gateware behind the interface of the model: its bus, its time, and what happens without a compiler."""
+"""The compiled gateware with the interface of the model: its bus, its time, and its compiler."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def gateway(built: RtlGateway) -> RtlGateway:
 
 
 def rests(gateway: RtlGateway) -> bool:
-    """Return whether a gateway without work has none in the eyes of its harness."""
+    """Return true if the harness finds an idle gateway idle."""
     before = gateway.cycles
     gateway._run_until_quiet()
     return gateway.cycles - before < 200
@@ -59,7 +59,7 @@ def _checked(body: bytes) -> bytes:
     return body + Crc().text(body) + b"\n"
 
 
-def test_memory_is_what_requests_read_and_write(gateway: RtlGateway) -> None:
+def test_memory_has_the_words_that_requests_read_and_write(gateway: RtlGateway) -> None:
     gateway.memory[0x0A] = 0x12
     assert gateway.receive(_checked(b"R0A"), 0.0) == _checked(b"R0A00000012")
     assert gateway.receive(_checked(b"W0B89ABCDEF"), 0.0) == _checked(b"W0B")
@@ -74,7 +74,7 @@ def test_addresses_and_words_out_of_range_are_refused(gateway: RtlGateway) -> No
 
 
 class _Recorder:
-    """A device that notes what it is asked, and refuses where it is told to."""
+    """A device that records its accesses, and raises `refusal` if it is set."""
 
     def __init__(self) -> None:
         self.calls: list[tuple[str, int, int]] = []
@@ -105,7 +105,7 @@ def test_a_device_answers_at_its_addresses(gateway: RtlGateway) -> None:
 
 
 @pytest.mark.parametrize(("code", "answer"), [(ErrorCode.BUS_ERROR, b"X04\r\n"), (ErrorCode.BUS_TIMEOUT, b"X05\r\n")])
-def test_a_device_that_refuses_is_an_error_of_the_bus(gateway: RtlGateway, code: ErrorCode, answer: bytes) -> None:
+def test_a_refusal_of_a_device_is_a_bus_error(gateway: RtlGateway, code: ErrorCode, answer: bytes) -> None:
     device = _Recorder()
     device.refusal = AccessError(code)
     gateway.attach(device, (0x20,))
@@ -113,9 +113,7 @@ def test_a_device_that_refuses_is_an_error_of_the_bus(gateway: RtlGateway, code:
     gateway.detach((0x20,))
 
 
-def test_a_bug_of_a_device_is_a_bus_error_and_logged_and_an_interruption_reaches_the_caller(
-    gateway: RtlGateway, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_a_bug_in_a_device_is_a_bus_error_and_logged(gateway: RtlGateway, caplog: pytest.LogCaptureFixture) -> None:
     device = _Recorder()
     device.refusal = ZeroDivisionError("in the device")
     gateway.attach(device, (0x20,))
@@ -141,8 +139,8 @@ def test_time_passes_while_no_group_runs(gateway: RtlGateway) -> None:
     assert gateway.cycles == pytest.approx(3600 * gateway.info.clock_hz, abs=200)
 
 
-def test_time_that_is_skipped_is_time_that_passed() -> None:
-    """All that follows is the same in each byte and cycle: the clock, the phase of the base tick, the bus."""
+def test_skipped_time_has_the_effect_of_simulated_time() -> None:
+    """Skipped time has the same effect as simulated time on every later byte and cycle: clock, base tick, bus."""
     skipping, running = RtlGateway(), RtlGateway()
     cycles = 123 * skipping.info.clock_hz * 1000 // skipping.info.base_frequency_millihertz
     seen = []
@@ -159,15 +157,15 @@ def test_time_that_is_skipped_is_time_that_passed() -> None:
     assert seen[0][1].count(b"P00") > 20
 
 
-def test_a_gateway_whose_groups_were_stopped_is_at_rest(gateway: RtlGateway) -> None:
+def test_a_gateway_whose_groups_were_stopped_is_idle(gateway: RtlGateway) -> None:
     gateway.receive(b"GS000100010108\rGN00\r", 0.0)
     assert gateway.next_due is not None
     gateway.receive(b"GX00\r", 0.001)
     assert gateway.next_due is None
 
 
-def test_a_running_group_publishes_at_its_rate_until_the_session_starts_anew(gateway: RtlGateway) -> None:
-    # Group 0 at a tenth of the base frequency of 10 kHz, one word, plain frames: every millisecond.
+def test_a_running_group_publishes_at_its_rate_until_a_new_session(gateway: RtlGateway) -> None:
+    # Group 0 at a tenth of the base frequency of 10 kHz, one word, plain frames: a sample per millisecond.
     answers = gateway.receive(b"GS0021000A010A\rGN00\r", 5.0)
     assert answers.startswith(b"GS00\r\nGN00\r\n")
     due = gateway.next_due
@@ -182,23 +180,21 @@ def test_a_running_group_publishes_at_its_rate_until_the_session_starts_anew(gat
 
 
 @pytest.mark.slow
-def test_samples_without_room_are_overruns(gateway: RtlGateway) -> None:
+def test_samples_without_space_are_overruns(gateway: RtlGateway) -> None:
     gateway.receive(b"GS0021000A010A\rGN00\r", 0.0)
     for step in range(1, 400):
         assert gateway.advance(step / 100, room=0) == b""
     rest = b"".join(gateway.advance(4 + step / 100) for step in range(5))
     numbers = [int(frame[3:5], 16) for frame in rest.split(b"\r\n")[:-1]]
-    # What the FIFOs hold comes first and without a gap; then the numbers of all that were lost are missing.
+    # The samples in the FIFOs arrive first and without a gap; then the numbers of all lost samples are missing.
     assert len(numbers) < 2000
     assert any((later - earlier) % 256 > 1 for earlier, later in itertools.pairwise(numbers))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
-def test_requests_are_answered_and_unwanted_edges_publish_nothing_whatever_comes_at_the_triggers(
-    gateway: RtlGateway, seed: int
-) -> None:
-    """Each half period from the shortest on, on one trigger or on all, and groups that want edges or don't."""
+def test_requests_are_answered_during_any_edges_at_the_triggers(gateway: RtlGateway, seed: int) -> None:
+    """Use each half period from the shortest on, on one trigger or all, with groups that use edges or do not."""
     draw = random.Random(seed)
     library, handle = gateway._library, gateway._handle
     for session in range(1, 21):
@@ -223,7 +219,7 @@ def test_requests_are_answered_and_unwanted_edges_publish_nothing_whatever_comes
                 if b"\n" + request[:4] in b"\n" + said:
                     break
             else:
-                raise AssertionError(f"{request!r} was not answered: flags {flags}, half a period {half}")
+                raise AssertionError(f"{request!r} was not answered: flags {flags}, half period {half}")
             heard += said
         library.ul_set_trigger(handle, 0)
         heard += gateway.run(2000)
@@ -231,10 +227,10 @@ def test_requests_are_answered_and_unwanted_edges_publish_nothing_whatever_comes
         assert published <= {group for group, flag in enumerate(flags) if flag & (PERIODIC | ON_TRIGGER)} | {0}
 
 
-# Slow where it is the first to compile them: it runs early then, and each process compiles others.
+# Slow if it is the first test to compile the builds: it runs early then, and each process compiles others.
 @pytest.mark.slow
 @pytest.mark.parametrize("name", build_params(configurations()))
-def test_every_configuration_is_what_its_file_says(name: str) -> None:
+def test_every_configuration_is_that_of_its_file(name: str) -> None:
     gateway = RtlGateway(name)
     assert gateway.info == configurations()[name].info
     assert rests(gateway)
@@ -252,23 +248,23 @@ def test_a_group_of_the_most_words_is_set_up_at_once() -> None:
 
 
 def _requests(group_words: int) -> st.SearchStrategy[list[tuple[str, int, bool]]]:
-    """Return lists of a command, its number of words, and whether the request is sent a second time."""
+    """Return lists of a command, its number of words, and true if the request is sent twice."""
     blocks = st.tuples(st.sampled_from(("rm", "rq", "wm", "wq", "wk")), st.integers(1, 255), st.booleans())
     groups = st.tuples(st.just("GS"), st.integers(1, group_words), st.just(value=False))
     return st.lists(blocks | groups, min_size=1, max_size=8)
 
 
 @given(requests=_requests(32))
-def test_each_answer_comes_at_once_however_long_the_gateware_is_silent(
+def test_each_answer_is_returned_at_once_after_a_silence_of_the_gateware(
     built: RtlGateway, requests: list[tuple[str, int, bool]]
 ) -> None:
-    """The gateware fetches up to 255 words for an answer before a byte of it is sent."""
+    """The gateware fetches up to 255 words for an answer before it sends the first byte."""
     _answers_as_the_model(built, requests)
 
 
 @pytest.mark.slow
 @given(requests=_requests(255))
-def test_answers_after_groups_of_up_to_255_words_come_at_once(requests: list[tuple[str, int, bool]]) -> None:
+def test_answers_after_groups_of_up_to_255_words_are_returned_at_once(requests: list[tuple[str, int, bool]]) -> None:
     _answers_as_the_model(_largest(), [*requests, ("GS", 255, False), ("rq", 255, True)])
 
 
@@ -297,7 +293,7 @@ def _answers_as_the_model(gateway: RtlGateway, requests: list[tuple[str, int, bo
         assert gateway.receive(frame, instant / 10) == model.receive(frame, instant / 10), frame
 
 
-def test_an_unknown_configuration_is_named() -> None:
+def test_the_error_for_an_unknown_configuration_names_it() -> None:
     with pytest.raises(ArgumentError, match=r"no gateware .huge.: this installation has .*default"):
         RtlGateway("huge")
 
@@ -317,7 +313,7 @@ def test_an_unknown_configuration_is_named() -> None:
         ({}, 5, "node"),
     ],
 )
-def test_a_configuration_is_chosen_by_its_fields_and_else_as_the_default_is(
+def test_a_configuration_is_chosen_by_its_fields_and_else_the_default(
     fields: dict[str, int], node: int | None, name: str
 ) -> None:
     assert choose(fields, node).name == name
@@ -331,7 +327,7 @@ def test_a_configuration_is_chosen_by_its_fields_and_else_as_the_default_is(
         ({}, 6, "with node=6: there are node=5, no node$"),
     ],
 )
-def test_what_was_not_compiled_is_answered_with_what_was(
+def test_the_error_for_a_missing_build_lists_the_available_ones(
     fields: dict[str, int], node: int | None, message: str
 ) -> None:
     with pytest.raises(ArgumentError, match=message):
@@ -342,7 +338,7 @@ def test_what_was_not_compiled_is_answered_with_what_was(
 
 
 def packed(folder: Path, names: tuple[str, ...] = ("default", "minimal")) -> dict[str, bytes]:
-    """Put some of the builds into a folder, and return their texts."""
+    """Put some builds into a folder; return their texts."""
     index, texts = archive.read_index(archive.GENERATED), archive.read_texts(archive.GENERATED)
     chosen = {name: texts[name] for name in names}
     archive.write(folder, {name: index[name] for name in names}, chosen)
@@ -350,13 +346,13 @@ def packed(folder: Path, names: tuple[str, ...] = ("default", "minimal")) -> dic
 
 
 @pytest.mark.slow
-def test_every_build_is_in_the_archive_and_the_archive_holds_no_other() -> None:
+def test_the_archive_has_exactly_the_builds() -> None:
     texts = archive.read_texts(archive.GENERATED)
     assert {name: build.text() for name, build in configurations().items()} == texts
     assert all(b"UL_SIGNALS" in text for text in texts.values())
 
 
-def test_a_change_of_all_builds_costs_the_history_little() -> None:
+def test_a_change_of_all_builds_adds_little_to_the_history() -> None:
     assert sum(path.stat().st_size for path in archive.GENERATED.iterdir()) < 250_000
 
 
@@ -369,7 +365,7 @@ def test_the_same_builds_make_the_same_archive(tmp_path: Path) -> None:
     assert len(files[0]) == 2
 
 
-def test_an_installation_that_lacks_a_build_or_has_it_from_elsewhere_says_so(
+def test_a_missing_or_foreign_build_of_an_installation_is_reported(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     build = configurations()["minimal"]
@@ -384,7 +380,7 @@ def test_an_installation_that_lacks_a_build_or_has_it_from_elsewhere_says_so(
 
 
 @pytest.mark.parametrize("damage", [lambda data: data[:5000], lambda data: b"no archive" + data], ids=["cut", "spoilt"])
-def test_a_damaged_archive_is_named(
+def test_the_error_for_a_damaged_archive_names_it(
     damage: Callable[[bytes], bytes], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     packed(tmp_path)
@@ -397,7 +393,7 @@ def test_a_damaged_archive_is_named(
 
 
 @pytest.mark.parametrize("text", ["{", '{"default": {"origin": "1"}}'])
-def test_a_damaged_index_is_named(text: str, tmp_path: Path) -> None:
+def test_the_error_for_a_damaged_index_names_it(text: str, tmp_path: Path) -> None:
     (tmp_path / "models.json").write_text(text)
     with pytest.raises(ArgumentError, match=r"models.json is no index of the gateware \(.*\): install"):
         archive.read_index(tmp_path)
@@ -412,7 +408,7 @@ def fresh_load(name: str = "minimal") -> None:
 
 
 @pytest.mark.parametrize("cxx", [None, ""])
-def test_without_a_compiler_it_says_what_to_install(
+def test_the_error_without_a_compiler_says_what_to_install(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, cxx: str | None
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
@@ -423,14 +419,14 @@ def test_without_a_compiler_it_says_what_to_install(
         fresh_load()
 
 
-def test_a_compiler_that_is_not_there_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_error_for_a_missing_compiler_names_it(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CXX", "ccc++ -m64")
     with pytest.raises(ConnectError, match=r"'ccc\+\+', is not there: unset CXX"):
         fresh_load()
 
 
 def compiler(monkeypatch: pytest.MonkeyPatch, folder: Path, script: str) -> None:
-    """Put a program in the place of the C++ compiler."""
+    """Put a script in place of the C++ compiler."""
     path = folder / "c++"
     path.write_text(f"#!/bin/sh\n{script}\n")
     path.chmod(0o755)
@@ -438,27 +434,27 @@ def compiler(monkeypatch: pytest.MonkeyPatch, folder: Path, script: str) -> None
     monkeypatch.setenv("XDG_CACHE_HOME", str(folder / "cache"))
 
 
-def test_a_compiler_that_fails_is_quoted_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_a_failing_compiler_is_quoted_and_leaves_no_file(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     compiler(monkeypatch, tmp_path, "echo 'In file included from' >&2; echo 'x.cc:1: error: no <vector>' >&2; exit 1")
     with pytest.raises(ConnectError, match=r"could not be compiled by .*: x.cc:1: error: no <vector>$"):
         fresh_load()
     assert list((tmp_path / "cache" / "unity-link" / "rtl").iterdir()) == []
 
 
-def test_what_a_compiler_made_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_output_of_a_compiler_is_cached(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     compiler(
         monkeypatch,
         tmp_path,
         f'[ "$1" = --version ] && exit; echo "$@" >> {tmp_path}/calls; for last; do :; done; echo no library > "$last"',
     )
     for _ in range(2):
-        # It is no library, which shows where it is kept.
+        # The output is no library; the error shows the path where it is cached.
         with pytest.raises(ConnectError, match=r"cache/unity-link/rtl/minimal-.*\.so can't be loaded"):
             fresh_load()
     assert len((tmp_path / "calls").read_text().splitlines()) == 1
 
 
-def test_a_folder_that_can_not_be_written_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_the_error_for_an_unwritable_folder_names_it(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "file").touch()
     folder = tmp_path / "unity-link"
     folder.mkdir()
@@ -470,13 +466,13 @@ def test_a_folder_that_can_not_be_written_is_named(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.asyncio
-async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
+async def test_a_cancelled_compilation_ends_the_compiler_and_its_children(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     started, ended = tmp_path / "started", tmp_path / "ended"
     os.mkfifo(started)
     os.mkfifo(ended)
-    # The inner process holds a FIFO open for as long as it lives.
+    # The inner process keeps a FIFO open until it ends.
     compiler(monkeypatch, tmp_path, f'[ "$1" = --version ] || sh -c "exec 3>{ended}; echo >{started}; sleep 1000"')
     task = asyncio.create_task(compiling.compile_beside(configurations()["minimal"]))
     watch = os.open(ended, os.O_RDONLY | os.O_NONBLOCK)
@@ -484,7 +480,7 @@ async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
     task.cancel()
     with pytest.raises(asyncio.CancelledError):
         await task
-    # Were somebody left, this would block; the end of all writers is the end of the file.
+    # The read would block if a process were left: the file ends when its last writer has ended.
     os.set_blocking(watch, True)
     assert await asyncio.wait_for(asyncio.to_thread(os.read, watch, 1), 60) == b""
     os.close(watch)
@@ -492,7 +488,7 @@ async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
 
 
 @pytest.mark.parametrize("way", ["SIGTERM", "SIGKILL"])
-def test_a_program_that_is_ended_by_a_signal_leaves_no_compiler(
+def test_a_program_killed_by_a_signal_leaves_no_compiler(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, way: str
 ) -> None:
     started, ended = tmp_path / "started", tmp_path / "ended"
@@ -507,7 +503,7 @@ def test_a_program_that_is_ended_by_a_signal_leaves_no_compiler(
         started.read_text()
         program.send_signal(signal.Signals[way])
         assert program.wait() != 0
-    # Not to wait for ever where somebody is left.
+    # A time-out, in case a process is left.
     ready, _, _ = select.select([watch], [], [], 60)
     assert ready
     assert os.read(watch, 1) == b""
@@ -515,7 +511,7 @@ def test_a_program_that_is_ended_by_a_signal_leaves_no_compiler(
 
 
 def test_two_programs_may_compile_at_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    # Each compiler waits for the other, and makes of the gateware's sources no more than a library with one name.
+    # Each compiler waits for the other, and compiles only a library with one name instead of the gateware.
     script = f"""[ "$1" = --version ] && exit
     mkdir {tmp_path}/first 2>/dev/null || touch {tmp_path}/second
     until [ -e {tmp_path}/second ]; do sleep 0.01; done

@@ -1,4 +1,4 @@
-"""Signals with an effect in compiled gateware: of a model, which is hardware there, and of a core in VHDL."""
+"""Signals with an effect in compiled gateware: those of a model, which acts as hardware, and those of a VHDL core."""
 
 from __future__ import annotations
 
@@ -94,7 +94,7 @@ def spec(tmp_path: Path) -> Path:
 
 
 @on_simulated_time
-async def test_no_event_is_lost_in_compiled_gateware_and_a_pulse_lasts_for_one_cycle(spec: Path) -> None:
+async def test_no_event_is_lost_in_compiled_gateware_and_pulses_last_one_cycle(spec: Path) -> None:
     async with unity_link.connect(simulate(spec, Effects, rtl=True)) as link:
         robot = unity_link.load(compile_file(spec))(link)
         for made in (0x81, 0x01, 0xFF, 0x00):
@@ -120,7 +120,7 @@ async def test_no_event_is_lost_in_compiled_gateware_and_a_pulse_lasts_for_one_c
 
 
 @on_simulated_time
-async def test_a_model_is_told_that_it_cannot_look_at_bits_that_the_gateware_keeps(
+async def test_a_model_that_reads_bits_stored_by_the_gateware_gets_an_error(
     spec: Path, caplog: pytest.LogCaptureFixture
 ) -> None:
     gateway = simulate(spec, Curious, rtl=True)

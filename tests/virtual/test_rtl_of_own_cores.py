@@ -1,4 +1,4 @@
-"""`rtl:` of a core of one's own: sound VHDL runs, warnings are logged, and a refusal names the user's file."""
+"""`rtl:` with a user's core: valid VHDL runs, warnings are logged, and a refusal names the user's file."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ end architecture;
 
 
 def written(folder: Path, core: str) -> Path:
-    """Write a spec with the core, and return its path."""
+    """Write a spec with the core; return its path."""
     (folder / "cores" / "mix").mkdir(parents=True)
     (folder / "cores" / "mix" / "mix.ul").write_text(MAP)
     (folder / "cores" / "mix" / "mix.vhd").write_text(core)
@@ -76,10 +76,10 @@ def made(spec: Path, *, unchecked: bool = False) -> tuple[bytes, tuple[str, ...]
 
 @pytest.mark.slow
 @pytest.mark.asyncio
-async def test_a_core_with_a_product_and_a_chain_of_bits_runs(
+async def test_a_core_with_a_multiplication_and_a_chain_of_bits_runs(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    # The warnings come with the build, and a design that was built before is not built again.
+    # The warnings are part of a build, and a cached design is not built again.
     monkeypatch.setattr("unity_link.virtual.rtl.specs.cache_folder", lambda: tmp_path / "cache")
     spec = written(tmp_path, CORE)
     one = unity_link.load(spec)
@@ -104,7 +104,7 @@ def test_a_wrong_conversion_is_refused_with_the_users_file(tmp_path: Path) -> No
 
 
 @pytest.mark.slow
-def test_a_core_is_compared_with_its_simulation_unless_that_is_left_out(tmp_path: Path) -> None:
+def test_a_core_is_compared_with_its_simulation_unless_disabled(tmp_path: Path) -> None:
     spec = written(
         tmp_path, CORE.replace("shift_right(product, 3)", "product when signed(given(3 downto 0)) > 9 else -product")
     )
@@ -120,7 +120,7 @@ def test_a_core_is_compared_with_its_simulation_unless_that_is_left_out(tmp_path
     assert len(paths) == 2
 
 
-def test_falling_edges_are_refused_and_an_error_has_the_name_of_the_users_file(tmp_path: Path) -> None:
+def test_falling_edges_are_refused_with_the_name_of_the_users_file(tmp_path: Path) -> None:
     spec = written(tmp_path, CORE.replace("rising_edge", "falling_edge"))
     with pytest.raises(
         ConversionError, match=r"^\S+mix\.vhd: a register uses falling edges of a clock, and rtl: supports"

@@ -1,4 +1,4 @@
-"""The compiled gateware of a spec: it is the generated VHDL, registers and all, with a model behind its ports."""
+"""The compiled gateware of a spec is the generated VHDL with its registers, and has a model at its ports."""
 
 from __future__ import annotations
 
@@ -46,9 +46,9 @@ def test_the_configuration_is_that_of_the_generated_gateway() -> None:
     assert info.base_frequency_millihertz == 100_000_000
     assert Feature.FINGERPRINT in info.features
     assert info.build_id == interface.fingerprint
-    # The slowest clock that leaves a base tick its cycles.
+    # The slowest clock with enough cycles for a base tick.
     assert info.clock_hz == 100_000 * 24
-    # The bank behind it is.
+    # The register bank at the bus is pipelined.
     assert json.loads(configuration_of(interface, {}, None).generics)["wb_pipelined"]
     chosen = {"base_frequency_millihertz": 10_000_000, "features": 0x11, "transmit_fifo_bytes": 512}
     other = configuration_of(interface, chosen, 7).info
@@ -69,7 +69,7 @@ def test_the_configuration_is_that_of_the_generated_gateway() -> None:
         pytest.param("", "RATE=200", {"clock_hz": 1_000_000}, 1_000_000, 20_000, id="without cores as well"),
     ],
 )
-def test_the_clock_of_a_spec_with_cores_is_one_that_a_pc_keeps_pace_with(
+def test_the_clock_of_a_spec_with_cores_is_slow_enough_for_a_pc(
     core: str, group: str, fields: dict[str, int], clock_hz: int, base_hz: int
 ) -> None:
     placed = f"core: {core} @(0x20);" if core else ""
@@ -86,7 +86,7 @@ def test_a_clock_that_is_too_slow_for_its_rates_is_refused() -> None:
         configuration_of(compile_text(text).interface(), {"clock_hz": 100_000}, None)
 
 
-def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
+def test_the_configuration_of_a_node_is_that_of_its_model() -> None:
     info = build_shared_line([7], info=configurations()["default"].info).info
     build = configuration_of_node(info, 7)
     assert build.node == 7
@@ -94,7 +94,7 @@ def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
     assert Feature.HALF_DUPLEX in build.info.features
 
 
-def test_that_of_the_walker_is_the_gateway_that_comes_with_the_package_with_its_registers() -> None:
+def test_the_configuration_of_the_walker_is_that_of_the_packages_build() -> None:
     build = configuration_of(compile_file(WALKER).interface(), {}, None)
     ready = configurations()["walker"].info
     assert build.info == msgspec.structs.replace(ready, features=ready.features | Feature.DESCRIPTION)
@@ -103,15 +103,15 @@ def test_that_of_the_walker_is_the_gateway_that_comes_with_the_package_with_its_
     assert build.design.masters == (("elsewhere", 0),)
 
 
-def test_addresses_with_one_answer_are_not_put_together_in_one_vector() -> None:
+def test_addresses_with_one_answer_are_not_joined_in_one_vector() -> None:
     text = made(configuration_of(compile_file(WALKER).interface(), {}, None)).text().decode()
     plain = r"(?:[^()]|\(\))*"
     together = re.findall(rf"reduce_or<1>\(({plain}(?:\.concat\({plain}\))+)", text)
-    # A compiler takes minutes for a chain of hundreds.
+    # A compiler takes minutes for a chain of hundreds of signals.
     assert 0 < max(one.count(".concat(") for one in together) < 16
 
 
-def test_doc_comments_and_places_of_a_spec_are_no_reason_to_build_it_anew(tmp_path: Path) -> None:
+def test_doc_comments_and_positions_do_not_cause_another_build(tmp_path: Path) -> None:
     (tmp_path / "moved.ul").write_text("// Something else.\n" + ROVER.read_text())
     built = [configuration_of(compile_file(path).interface(), {}, None) for path in (ROVER, tmp_path / "moved.ul")]
     assert origin({}, built[0].design) == origin({}, built[1].design)
@@ -132,20 +132,20 @@ def test_doc_comments_and_places_of_a_spec_are_no_reason_to_build_it_anew(tmp_pa
         ({"crc_bits": 8, "crc_polynomial": 0x1021}, "crc_polynomial is 0x1021: that of a CRC of 8 bits was expected"),
     ],
 )
-def test_what_the_gateware_refuses_is_refused_before_it_is_built(fields: dict[str, int], words: str) -> None:
+def test_impossible_fields_are_refused_before_a_build(fields: dict[str, int], words: str) -> None:
     with pytest.raises(ArgumentError, match=words):
         configuration_of(compile_file(ROVER).interface(), fields, None)
 
 
 @pytest.mark.parametrize(("bits", "polynomial"), [(8, 0x07), (16, 0x1021), (32, 0x04C11DB7)])
-def test_a_crc_of_another_width_has_the_usual_polynomial_of_that(bits: int, polynomial: int) -> None:
+def test_a_crc_of_another_width_has_the_usual_polynomial_of_that_width(bits: int, polynomial: int) -> None:
     build = configuration_of(compile_file(ROVER).interface(), {"crc_bits": bits}, None)
     assert build.info.crc_polynomial == polynomial
     build.info.check()
 
 
 class Marching(SimulatedRobot):
-    """All joints stand where the robot's clock is."""
+    """The position of every joint is the robot's time."""
 
     legs: Any
 
@@ -157,7 +157,7 @@ class Marching(SimulatedRobot):
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_instant() -> None:
+async def test_a_model_moves_and_each_sample_of_the_gateware_is_of_one_instant() -> None:
     async with unity_link.connect(simulate(WALKER, Marching, rtl=True)) as link:
         robot = Walker(link)
         assert link.gateway.build_id == Walker.interface.fingerprint
@@ -175,7 +175,7 @@ async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_insta
 
 
 @pytest.mark.slow
-def test_a_gateway_among_registers_rests_when_it_has_answered() -> None:
+def test_a_gateway_with_registers_is_idle_after_its_answer() -> None:
     interface = compile_file(WALKER).interface()
     gateway = SpecGateway(made(configuration_of(interface, {}, None)), interface)
     gateway.receive(b"Q\r", 0.0)
@@ -186,11 +186,11 @@ def test_a_gateway_among_registers_rests_when_it_has_answered() -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_gateway_that_is_late_publishes_less_often_and_loses_nothing() -> None:
+async def test_a_late_gateway_publishes_less_often_without_a_loss() -> None:
     async with unity_link.connect("rtl:walker") as link, Walker(link).groups["state"].subscribe() as samples:
         await asyncio.sleep(0.02)
         loop: Any = asyncio.get_running_loop()
-        # Longer than a model clock makes up for.
+        # A pause too long for the model clock to catch up.
         loop.jump(2.0)
         await asyncio.sleep(0.02)
         assert samples.received > 15
@@ -198,7 +198,7 @@ async def test_a_gateway_that_is_late_publishes_less_often_and_loses_nothing() -
 
 
 @on_simulated_time
-async def test_each_group_of_the_gateware_has_a_trigger_of_its_own() -> None:
+async def test_each_group_of_the_gateware_has_its_own_trigger() -> None:
     async with (
         unity_link.connect("rtl:?trigger=7:20") as link,
         link.subscribe([0x10], trigger=True, group=7) as fired,
@@ -217,7 +217,7 @@ async def test_each_group_of_the_gateware_has_a_trigger_of_its_own() -> None:
         (["c++"], "the gateware of rover cannot be built: GHDL 4 or later converts the gateware, and there is none"),
     ],
 )
-def test_a_missing_tool_is_one_sentence(programs: list[str], words: str, tmp_path: Path) -> None:
+def test_the_error_for_a_missing_tool_is_one_sentence(programs: list[str], words: str, tmp_path: Path) -> None:
     for program in programs:
         (tmp_path / program).symlink_to(str(shutil.which(program)))
     environment = {"PATH": str(tmp_path), "XDG_CACHE_HOME": str(tmp_path / "cache"), "HOME": str(tmp_path)}
@@ -231,7 +231,7 @@ def test_a_missing_tool_is_one_sentence(programs: list[str], words: str, tmp_pat
 
 
 @pytest.mark.campaign
-def test_any_spec_is_built_once_and_kept(tmp_path: Path) -> None:
+def test_any_spec_is_built_once_and_cached(tmp_path: Path) -> None:
     environment = {**os.environ, "XDG_CACHE_HOME": str(tmp_path)}
     if (tools := Path("~/.cache/unity-link/tools").expanduser()).exists():
         (tmp_path / "unity-link").mkdir()
@@ -257,7 +257,7 @@ def test_a_spec_without_groups_has_a_configuration() -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_memory_and_queues_are_behind_the_ports_of_the_gateware(tmp_path: Path) -> None:
+async def test_memory_and_queues_are_at_the_ports_of_the_gateware(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(
         "public robot() { @a = 0x30: READWRITE(); pool: MEMORY(BASE=0x10, SIZE=4); queue: FIFO(BASE=0x20, WORDS=2);\n"
@@ -298,7 +298,7 @@ class Counting:
 
 
 class Told(SimulatedRobot):
-    """Keeps what it is told, and when; what it sees of the left wheel is as old as its last step."""
+    """Records the written values and their times; it reads the left wheel as of its last step."""
 
     left: Any
     log: Any
@@ -321,13 +321,13 @@ class Told(SimulatedRobot):
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_program_and_a_model_meet_at_the_ports_of_the_register_bank() -> None:
+async def test_a_program_and_a_model_share_the_ports_of_the_register_bank() -> None:
     gateway = simulate(ROVER, Told, rtl=True)
     async with unity_link.connect(gateway) as link:
         rover, model = Rover(link), gateway.robot
         assert await rover.battery.get() == 12.5
         await rover.left.duty.set(-0.5)
-        # The gateware has no limits.
+        # The gateware does not check limits.
         await link.write(0x31, 200)
         assert [(path, value) for path, value, _ in model.told] == [("left.duty", -1024 / 2047), ("lamps", 200)]
         assert (model.left.duty, model.lamps, model.right.duty) == (-1024 / 2047, 200, 0)
@@ -337,7 +337,7 @@ async def test_a_program_and_a_model_meet_at_the_ports_of_the_register_bank() ->
         async with rover.groups["bump"].subscribe() as samples:
             await asyncio.sleep(0.1)
             batch = await samples.take()
-        # The group is as it was in the step that fired its trigger, although time was skipped.
+        # The group has the values of the step that fired its trigger, although time was skipped.
         assert batch["hits"].tolist() == [20]
         assert await rover.left.position.get() == pytest.approx(model.now, abs=0.002)
         async with rover.groups["motion"].subscribe() as samples:
@@ -349,7 +349,7 @@ async def test_a_program_and_a_model_meet_at_the_ports_of_the_register_bank() ->
 
 
 @on_simulated_time
-async def test_faults_of_signals_are_those_that_gateware_can_have() -> None:
+async def test_only_faults_that_gateware_supports_can_be_set() -> None:
     gateway = simulate(ROVER, Told, rtl=True)
     async with unity_link.connect(gateway) as link:
         rover, model = Rover(link), gateway.robot
@@ -367,14 +367,14 @@ async def test_faults_of_signals_are_those_that_gateware_can_have() -> None:
 
 
 class Presumptuous(SimulatedRobot):
-    """Sets what only programs write."""
+    """Sets a signal that only programs may write."""
 
     def start(self) -> None:
         self.lamps = 3
 
 
 class Later(Presumptuous):
-    """Does so in a step."""
+    """Sets it in a step instead."""
 
     def start(self) -> None:
         pass
@@ -384,7 +384,7 @@ class Later(Presumptuous):
 
 
 @on_simulated_time
-async def test_a_model_does_not_set_what_programs_write(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_model_cannot_set_signals_that_programs_write(caplog: pytest.LogCaptureFixture) -> None:
     words = "lamps is READWRITE, and its register in the gateware changes with the writes of programs alone"
     with pytest.raises(ArgumentError, match=words):
         simulate(ROVER, Presumptuous, rtl=True)
@@ -396,14 +396,14 @@ async def test_a_model_does_not_set_what_programs_write(caplog: pytest.LogCaptur
 
 
 class Faulty(Told):
-    """Has a bug."""
+    """A model with a bug."""
 
     def written(self, path: str, value: Any) -> None:
         raise ZeroDivisionError
 
 
 @on_simulated_time
-async def test_a_bug_in_a_model_is_in_the_log_and_registers_go_on(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_bug_in_a_model_is_logged_and_registers_continue(caplog: pytest.LogCaptureFixture) -> None:
     async with unity_link.connect(simulate(ROVER, Faulty, rtl=True)) as link:
         for lamps in (1, 2):
             await Rover(link).lamps.set(lamps)
@@ -414,7 +414,7 @@ async def test_a_bug_in_a_model_is_in_the_log_and_registers_go_on(caplog: pytest
 
 
 @on_simulated_time
-async def test_ports_are_looked_at_driven_and_counted_in_each_clock_cycle() -> None:
+async def test_ports_are_read_driven_and_counted_in_each_clock_cycle() -> None:
     gateway = simulate(ROVER, rtl=True)
     bare: Any = gateway._gateway
     ports = gateway.ports
@@ -438,7 +438,7 @@ async def test_ports_are_looked_at_driven_and_counted_in_each_clock_cycle() -> N
         counts = duty.take_counts()
         assert [count.edges for count in counts] == [1, *[0] * 10, 1]
         assert counts[0].high > counts[11].high > counts[1].high == 0
-        # Inputs that are set for a cycle to come are set in that.
+        # Inputs scheduled for a later cycle are set in that cycle.
         seen = []
         bare.watch(lambda: seen.append((bare.cycles, ports["left_speed"].value)), ports["right_speed"])
         begin = bare.cycles + 100
@@ -451,7 +451,7 @@ async def test_ports_are_looked_at_driven_and_counted_in_each_clock_cycle() -> N
         assert await link.read(0x10) == 4
 
 
-def test_time_in_which_nothing_happens_is_skipped_and_counts() -> None:
+def test_idle_time_is_skipped_and_counts() -> None:
     gateway = simulate(ROVER, rtl=True)
     gateway.receive(f"GS01{int(GroupFlag.TIMESTAMP):02X}00010110\r".encode(), 0.0)
     stamps = [int(gateway.receive(b"GP01\r", now).partition(b"P01")[2][2:10], 16) for now in (1.0, 3600.0)]

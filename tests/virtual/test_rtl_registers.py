@@ -1,7 +1,7 @@
-"""The compiled register bank and the registers of `sim:` are the same to a program, and to a model behind them.
+"""The compiled register bank and the registers of `sim:` behave alike for a program, and for a robot model.
 
-Two robots of one spec, one in each, get the same requests and the same acts of a model, in any order. Each answer has
-to be the same, byte for byte, and each model has to see the same.
+Two robots of one spec, one in each, get the same requests and the same actions of a model, in any order. Each answer
+must be the same, byte for byte, and both models must read the same values.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ enum mode { off, slow, fast }
 
 
 class Listening(SimulatedRobot):
-    """Keeps what it is told."""
+    """Records the written values."""
 
     def start(self) -> None:
         self.told: list[tuple[str, Any]] = []
@@ -85,7 +85,7 @@ class Both(NamedTuple):
     rtl: SimulatedGateway
 
     def ask(self, now: float, *requests: str) -> bytes:
-        """Send plain frames to both, and return the last answer."""
+        """Send plain frames to both; return the last answer."""
         answer = b""
         for request in requests:
             frame = f"{request}\r".encode()
@@ -108,7 +108,7 @@ class Both(NamedTuple):
         assert results[0] == results[1], path
 
     def compare(self) -> None:
-        """Compare what both models see."""
+        """Compare the values that both models read."""
         seen = [
             {path: _seen(cell) for path, cell in gateway.robot.cells.items()} | {"": list(gateway.robot.told)}
             for gateway in (self.sim, self.rtl)
@@ -118,7 +118,7 @@ class Both(NamedTuple):
 
 def _seen(cell: Cell) -> Any:
     if cell.signal.has_events:
-        # A model sets them, and the register has them.
+        # The model sets events, and the register stores them.
         return None
     if cell.queue is None:
         return cell.raw
@@ -131,7 +131,7 @@ def both_of(interface: Interface, build: Configuration) -> Both:
 
 
 def raws(signal: Signal) -> st.SearchStrategy[int]:
-    """Return what hardware can say: of an enumeration, what has a name; of a float, a number."""
+    """Return the raw words of hardware: for an enumeration named values, for a float numbers that are not NaN."""
     kind = signal.kind
     if kind.enumeration is not None:
         return st.sampled_from([value.value for value in kind.enumeration.values])
@@ -140,7 +140,7 @@ def raws(signal: Signal) -> st.SearchStrategy[int]:
 
 
 class Story:
-    """Draws what happens to a robot."""
+    """Draws sequences of events for a robot."""
 
     def __init__(self, interface: Interface, info: GatewayInfo) -> None:
         self._data_bits = info.data_bits
@@ -152,12 +152,12 @@ class Story:
 
     @property
     def all_steps(self) -> st.SearchStrategy[list[tuple[Any, ...]]]:
-        """Return stories, each of few signals, so that one thing has to do with another."""
+        """Return sequences about few signals each, so that events are related."""
         some = st.lists(st.sampled_from(self._subjects), min_size=1, max_size=2)
         return some.flatmap(lambda subjects: st.lists(self._steps(subjects), max_size=30))
 
     def _steps(self, subjects: list[Signal | ModuleSpec]) -> st.SearchStrategy[tuple[Any, ...]]:
-        """Return what may happen next."""
+        """Return the possible next events."""
         words = st.integers(0, (1 << self._data_bits) - 1)
         signals = [one for one in subjects if isinstance(one, Signal)]
         within = {address for one in signals for address in one.addresses}
@@ -185,9 +185,9 @@ class Story:
         return st.one_of(reads, writes, *([st.one_of(acts)] if acts else []))
 
     def tell(self, both: Both, now: float, what: str, *rest: Any) -> bool:
-        """Apply a step to both, and return whether both have to be the same behind it.
+        """Apply a step to both; return true if both must be equal afterwards.
 
-        Words behind the one at which a block or a sample failed may have been read or not (docs/protocol.md, "Bus").
+        Words after the one at which a block or a sample failed may have been read or not (docs/protocol.md, "Bus").
         """
         if what in ("put", "take"):
             signal, raw = rest
@@ -214,7 +214,7 @@ class Story:
 
 
 class Meeting:
-    """Robots of a spec in both kinds of registers, which a story is told to."""
+    """Robots of a spec in both kinds of registers, which process the same sequences of events."""
 
     def __init__(self, interface: Interface) -> None:
         self._interface = interface
@@ -222,7 +222,7 @@ class Meeting:
         self.story = Story(interface, self._build.info)
 
     def tell(self, steps: list[tuple[Any, ...]]) -> None:
-        """Compare both behind each step, as long as they have to be the same."""
+        """Compare both after each step, as long as they must be equal."""
         both = both_of(self._interface, self._build)
         for number, step in enumerate(steps, 1):
             if not self.story.tell(both, number / 1000, *step):
@@ -230,15 +230,15 @@ class Meeting:
             both.compare()
 
 
-def test_a_bank_with_everything_is_as_its_registers_without_hardware() -> None:
+def test_a_bank_with_all_features_equals_the_simulated_registers() -> None:
     interface = compile_text(SPEC).interface()
     meeting, counter, events = Meeting(interface), interface.signals["counter"], interface.signals["events"]
 
     @settings(max_examples=examples(200), deadline=None, suppress_health_check=list(HealthCheck))
     @given(steps=meeting.story.all_steps)
-    # A value of several words in two transactions, of which each has its own instant.
+    # A value of several words, read in two transactions, each at its own instant.
     @example(steps=[("put", counter, 0x111122223333), ("R", 8), ("put", counter, 0x444455556666), ("RM", 9, 2)])
-    # A queue behind the word at which a block or a sample fails.
+    # A queue after the word at which a block or a sample fails.
     @example(steps=[("put", events, 0), ("RM", 22, 2)])
     @example(steps=[("put", events, 0), ("GP", [22, 23])])
     def tell(steps: list[tuple[Any, ...]]) -> None:
@@ -250,7 +250,7 @@ def test_a_bank_with_everything_is_as_its_registers_without_hardware() -> None:
 @pytest.mark.campaign
 @settings(max_examples=10, deadline=None, phases=[Phase.generate], suppress_health_check=list(HealthCheck))
 @given(file=specs(), data=st.data())
-def test_the_bank_of_any_spec_is_as_its_registers_without_hardware(file: File, data: st.DataObject) -> None:
+def test_the_bank_of_any_spec_equals_the_simulated_registers(file: File, data: st.DataObject) -> None:
     meeting = Meeting(compile_text(print_file(file)).interface())
     for _ in range(50):
         meeting.tell(data.draw(meeting.story.all_steps))

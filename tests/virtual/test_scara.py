@@ -1,4 +1,4 @@
-"""The robot moves as servos do, and the same way whoever looks."""
+"""The robot moves as servos do, independent of when it is read."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def test_positions_below_zero_read_in_twos_complement() -> None:
     assert read(gateway, 0x8C, 10.0) == 2**32 - 10_000
 
 
-def test_all_is_at_rest_and_ready_to_move_after_power_up() -> None:
+def test_all_joints_are_at_rest_and_ready_to_move_after_power_up() -> None:
     gateway = robot()
     for joint in range(4):
         assert [read(gateway, base + joint, 5.0) for base in (0x80, 0x88, 0x8C)] == [0, 0, 0]
@@ -81,7 +81,7 @@ def test_the_speed_set_point_is_the_cruising_speed_and_zero_holds() -> None:
     assert read(gateway, 0x88, 60.0) == 60_000
 
 
-def test_actual_values_refuse_to_be_written() -> None:
+def test_actual_values_cannot_be_written() -> None:
     gateway = robot()
     assert write(gateway, 0x80, 1, 0.0) == b"X04\r\n"
     assert write(gateway, 0x8B, 1, 0.0) == b"X04\r\n"
@@ -96,7 +96,7 @@ def test_the_addresses_around_the_robot_are_plain_memory() -> None:
 
 @pytest.mark.slow
 @given(commands=COMMANDS)
-def test_speed_and_acceleration_keep_their_limits_whatever_is_commanded(commands: list[tuple[float, int, int]]) -> None:
+def test_speed_and_acceleration_stay_within_limits_for_any_command(commands: list[tuple[float, int, int]]) -> None:
     kind = JOINTS[0]
     joint, now = ServoJoint(kind), 0.0
     for delay, set_point, speed in commands:
@@ -128,7 +128,7 @@ def test_a_plan_ends_at_rest_at_its_target(distance: float, speed: float, most: 
 
 
 @given(speed=st.floats(-2e5, 2e5), acceleration=st.floats(1e3, 1e6), way=st.sampled_from([-1.0, 1.0]))
-def test_a_target_that_braking_all_but_reaches_is_no_division_by_zero(
+def test_a_target_almost_reached_by_braking_causes_no_division_by_zero(
     speed: float, acceleration: float, way: float
 ) -> None:
     braking = speed * abs(speed) / (2 * acceleration)
@@ -138,7 +138,7 @@ def test_a_target_that_braking_all_but_reaches_is_no_division_by_zero(
 
 @pytest.mark.slow
 @given(commands=COMMANDS, looks=st.lists(st.floats(0, 20), max_size=20))
-def test_looking_changes_nothing(commands: list[tuple[float, int, int]], looks: list[float]) -> None:
+def test_reading_does_not_change_the_motion(commands: list[tuple[float, int, int]], looks: list[float]) -> None:
     def position(looking: list[float]) -> int:
         device, now = Scara(), 0.0
         for delay, set_point, speed in commands:

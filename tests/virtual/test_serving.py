@@ -94,16 +94,16 @@ async def datagram_client(url: str) -> Datagrams:
 
 
 def split(datagram: bytes) -> tuple[bytes, bytes]:
-    """Return the header of a datagram and the frames behind it."""
+    """Return the header of a datagram, and the frames after it."""
     end = datagram.index(b"\n") + 1
     return datagram[:end], datagram[end:]
 
 
 async def opened(client: Datagrams) -> bytes:
-    """Open a session and return how its headers begin."""
+    """Open a session; return the beginning of its headers."""
     client.transport.sendto(b"Q\r")
     session = (await client.next())[:9]
-    # Two clients have two ports, and so two numbers.
+    # Each client has a port of its own, from which the number of its session is derived.
     opening = b"K000%04X" % (1 + client.transport.get_extra_info("sockname")[1] % 0x7FFF)
     client.transport.sendto(session + b"00000001\r" + opening + b"\r")
     header, answer = split(await client.next())
@@ -122,7 +122,7 @@ async def test_a_gateway_answers_over_tcp_and_keeps_its_memory_between_clients()
 
 
 @pytest.mark.asyncio
-async def test_a_second_client_is_told_that_the_gateway_is_busy_and_the_first_goes_on() -> None:
+async def test_a_second_client_gets_busy_and_the_first_client_goes_on() -> None:
     async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as first:
         assert await ask(first, b"H\r") == b"H\r\n"
         async with tcp_client(url) as second:
@@ -131,7 +131,7 @@ async def test_a_second_client_is_told_that_the_gateway_is_busy_and_the_first_go
 
 
 @pytest.mark.asyncio
-async def test_a_second_client_that_resets_its_connection_just_when_it_is_told_is_no_error(
+async def test_a_second_client_that_resets_its_connection_causes_no_error(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     errors: list[dict[str, Any]] = []
@@ -154,7 +154,7 @@ async def test_a_second_client_that_resets_its_connection_just_when_it_is_told_i
 
 
 @pytest.mark.asyncio
-async def test_a_program_is_told_why_it_is_hung_up_on_in_the_words_of_who_does_it() -> None:
+async def test_a_programs_error_quotes_the_reason_of_its_disconnection() -> None:
     async with serve_tcp(VirtualGateway()) as url, unity_link.connect(url):
         with pytest.raises(ConnectError, match=BUSY.decode().strip()):
             async with unity_link.connect(url):
@@ -162,7 +162,7 @@ async def test_a_program_is_told_why_it_is_hung_up_on_in_the_words_of_who_does_i
 
 
 @pytest.mark.asyncio
-async def test_the_end_of_serving_hangs_up() -> None:
+async def test_the_end_of_serving_disconnects_clients() -> None:
     async with serve_tcp(VirtualGateway()) as url:
         stream = await asyncio.open_connection("127.0.0.1", port_of(url))
         await ask(stream, b"H\r")
@@ -174,7 +174,7 @@ async def test_the_end_of_serving_hangs_up() -> None:
 
 
 @pytest.mark.asyncio
-async def test_the_end_of_serving_hangs_up_on_who_waits_for_the_gateway_too() -> None:
+async def test_the_end_of_serving_disconnects_waiting_clients_too() -> None:
     async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as first:
         assert await ask(first, b"H\r") == b"H\r\n"
         waiting = await asyncio.open_connection("127.0.0.1", port_of(url))
@@ -184,7 +184,7 @@ async def test_the_end_of_serving_hangs_up_on_who_waits_for_the_gateway_too() ->
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("turns", range(3, 6))
-async def test_the_end_of_serving_hangs_up_on_who_is_just_being_connected(turns: int) -> None:
+async def test_the_end_of_serving_disconnects_connecting_clients(turns: int) -> None:
     with socket.socket() as client:
         async with serve_tcp(VirtualGateway()) as url:
             client.connect(("127.0.0.1", port_of(url)))
@@ -197,7 +197,7 @@ async def test_the_end_of_serving_hangs_up_on_who_is_just_being_connected(turns:
 
 @pytest.mark.slow
 @pytest.mark.asyncio
-async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() -> None:
+async def test_a_slow_client_gets_all_bytes_without_taking_memory() -> None:
     requests = 12_000
     async with serve_tcp(VirtualGateway()) as url, tcp_client(url) as (reader, writer):
         tracemalloc.start()
@@ -206,14 +206,14 @@ async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() 
             expected = b"RM00FF" + b"0" * 2040 + b"\r\n"
             for _ in range(requests):
                 assert await reader.readexactly(len(expected)) == expected
-            # 24 MB have passed.
+            # 24 MB were transferred.
             assert tracemalloc.get_traced_memory()[1] < 4_000_000
         finally:
             tracemalloc.stop()
 
 
 @pytest.mark.asyncio
-async def test_an_address_of_another_machine_is_one_clear_error() -> None:
+async def test_an_address_of_another_machine_causes_one_clear_error() -> None:
     with pytest.raises(ConnectError, match=r"of 192\.0\.2\.1 can't be opened .*: choose another port or address"):
         async with serve_tcp(VirtualGateway(), host="192.0.2.1"):
             pass
@@ -221,14 +221,14 @@ async def test_an_address_of_another_machine_is_one_clear_error() -> None:
 
 @pytest.mark.asyncio
 @pytest.mark.parametrize("serve", [serve_tcp, serve_udp])
-async def test_an_address_that_is_empty_is_not_every_address(serve: Callable[..., Any]) -> None:
+async def test_an_empty_address_is_refused(serve: Callable[..., Any]) -> None:
     with pytest.raises(ConnectError, match=r"port 0 of '' can't be opened \(an address was expected\): choose another"):
         async with serve(VirtualGateway(), host=""):
             pass
 
 
 @pytest.mark.asyncio
-async def test_a_busy_tcp_port_is_one_clear_error() -> None:
+async def test_a_busy_tcp_port_causes_one_clear_error() -> None:
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = other.getsockname()[1]
         with pytest.raises(ConnectError, match=rf"TCP port {port} of .* is in use: choose another"):
@@ -237,7 +237,7 @@ async def test_a_busy_tcp_port_is_one_clear_error() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_port_that_is_none_is_one_clear_error() -> None:
+async def test_an_invalid_port_causes_one_clear_error() -> None:
     for serve in (serve_tcp, serve_udp):
         with pytest.raises(ConnectError, match="port 70000"):
             async with serve(VirtualGateway(), 70000):
@@ -245,7 +245,7 @@ async def test_a_port_that_is_none_is_one_clear_error() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_unix_socket_is_for_its_owner_alone_and_removed_at_the_end(tmp_path: Path) -> None:
+async def test_a_unix_socket_is_private_to_its_owner_and_removed_at_the_end(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     async with serve_unix(VirtualGateway(), place) as url:
         assert url == f"unix:{place}"
@@ -256,7 +256,7 @@ async def test_a_unix_socket_is_for_its_owner_alone_and_removed_at_the_end(tmp_p
 
 
 @pytest.mark.asyncio
-async def test_a_socket_left_behind_is_replaced_and_a_served_one_is_not(tmp_path: Path) -> None:
+async def test_an_abandoned_socket_is_replaced_and_a_served_one_is_not(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     with socket.socket(socket.AF_UNIX) as left_behind:
         left_behind.bind(str(place))
@@ -269,7 +269,7 @@ async def test_a_socket_left_behind_is_replaced_and_a_served_one_is_not(tmp_path
 
 
 @pytest.mark.asyncio
-async def test_what_is_no_socket_is_left_alone(tmp_path: Path) -> None:
+async def test_a_file_that_is_no_socket_is_not_replaced(tmp_path: Path) -> None:
     place = tmp_path / "notes"
     place.write_text("mine")
     with pytest.raises(ConnectError, match="no socket: remove it"):
@@ -310,8 +310,8 @@ async def test_a_serial_port_survives_a_client_that_left_with_samples_running() 
         port = Port(url)
         os.write(port.descriptor, b"GS000100010110\rGN00\r")
         now = asyncio.get_running_loop().time
-        # A gateway of which nothing is read comes to a stand, and its next sample falls behind the time.
-        while (due := gateway.next_due) is None or due > now() - 0.1:  # noqa: ASYNC110  (nothing tells of it)
+        # A gateway whose output is not read stops, so its next sample becomes overdue.
+        while (due := gateway.next_due) is None or due > now() - 0.1:  # noqa: ASYNC110  (no event reports it)
             await asyncio.sleep(0.001)
         port.close()
         port = Port(url)
@@ -323,7 +323,7 @@ async def test_a_serial_port_survives_a_client_that_left_with_samples_running() 
 
 
 @pytest.mark.asyncio
-async def test_a_link_to_a_serial_port_leads_there_and_is_removed_at_the_end(tmp_path: Path) -> None:
+async def test_a_symbolic_link_to_a_serial_port_is_removed_at_the_end(tmp_path: Path) -> None:
     link = tmp_path / "port"
     async with serve_pty(VirtualGateway(), link) as url:
         assert url == f"serial:{link}"
@@ -334,7 +334,7 @@ async def test_a_link_to_a_serial_port_leads_there_and_is_removed_at_the_end(tmp
 
 
 @pytest.mark.asyncio
-async def test_a_link_replaces_only_one_that_leads_nowhere(tmp_path: Path) -> None:
+async def test_a_symbolic_link_replaces_only_a_dangling_one(tmp_path: Path) -> None:
     link = tmp_path / "port"
     link.symlink_to("/dev/pts/gone")
     async with serve_pty(VirtualGateway(), link):
@@ -345,7 +345,7 @@ async def test_a_link_replaces_only_one_that_leads_nowhere(tmp_path: Path) -> No
 
 
 @pytest.mark.asyncio
-async def test_datagrams_hold_whole_frames_behind_a_header() -> None:
+async def test_datagrams_have_whole_frames_after_a_header() -> None:
     async with serve_udp(VirtualGateway()) as url:
         client = await datagram_client(url)
         client.transport.sendto(b"RM00FF\r" + b"H\r" * 1000)
@@ -361,7 +361,7 @@ async def test_datagrams_hold_whole_frames_behind_a_header() -> None:
 
 
 @pytest.mark.asyncio
-async def test_datagrams_come_over_ipv6_too() -> None:
+async def test_datagrams_arrive_over_ipv6_too() -> None:
     try:
         served = await asyncio.get_running_loop().create_datagram_endpoint(Datagrams, local_addr=("::1", 0))
     except OSError:
@@ -372,7 +372,7 @@ async def test_datagrams_come_over_ipv6_too() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_datagram_that_was_cut_does_not_spoil_the_next() -> None:
+async def test_a_cut_datagram_does_not_damage_the_next_one() -> None:
     async with serve_udp(VirtualGateway()) as url:
         client = await datagram_client(url)
         client.transport.sendto(b"W10000")
@@ -383,7 +383,7 @@ async def test_a_datagram_that_was_cut_does_not_spoil_the_next() -> None:
 
 
 @pytest.mark.asyncio
-async def test_samples_go_to_the_client_that_opened_the_session() -> None:
+async def test_samples_are_sent_to_the_client_that_opened_the_session() -> None:
     gateway = VirtualGateway()
     async with serve_udp(gateway) as url:
         first, second = await datagram_client(url), await datagram_client(url)
@@ -416,7 +416,7 @@ async def test_a_gateway_that_was_reset_refuses_the_session_that_was_open() -> N
 
 
 @pytest.mark.asyncio
-async def test_datagrams_that_the_gateway_has_no_room_for_are_lost() -> None:
+async def test_datagrams_without_space_in_the_gateway_are_lost() -> None:
     gateway = SlowLine(VirtualGateway(), 1000)
     async with serve_udp(gateway) as url:
         client = await datagram_client(url)
@@ -426,7 +426,7 @@ async def test_datagrams_that_the_gateway_has_no_room_for_are_lost() -> None:
             for count in range(2, 2000):
                 client.transport.sendto(session + b"%08X\r" % count + b"RM00FF\r" * 190)
                 await asyncio.sleep(0)
-            # 2.7 MB were sent, to which 800 MB are the answers.
+            # 2.7 MB of requests were sent, whose answers have 800 MB.
             assert tracemalloc.get_traced_memory()[1] < 2_000_000
         finally:
             tracemalloc.stop()
@@ -434,7 +434,7 @@ async def test_datagrams_that_the_gateway_has_no_room_for_are_lost() -> None:
 
 
 @pytest.mark.asyncio
-async def test_a_busy_udp_port_is_one_clear_error() -> None:
+async def test_a_busy_udp_port_causes_one_clear_error() -> None:
     async with serve_udp(VirtualGateway()) as url:
         with pytest.raises(ConnectError, match=rf"UDP port {port_of(url)} of .* is in use"):
             async with serve_udp(VirtualGateway(), port_of(url)):

@@ -1,4 +1,4 @@
-"""The robot of a spec, simulated: registers as the generated bank has them, and a model that moves them."""
+"""The simulated robot of a spec: registers as in the generated bank, and a model that moves them."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def test_each_address_can_be_read_and_written_as_in_the_generated_bank(source: P
         queues = [
             cell for cell in registers.cells.values() if cell.queue is not None and cell.signal.address == address
         ]
-        # What a queue has is what was written to it; without limits, for the bank knows none.
+        # A queue has the words that were written to it; the bank has no limits, so remove them here.
         for cell in registers.cells.values():
             cell._bounds = None, None
         with contextlib.nullcontext() if can_be_written else pytest.raises(AccessError):
@@ -135,7 +135,7 @@ async def test_without_a_model_registers_are_memory_of_the_width_of_each_signal(
         for refused in (robot.queue.take(1), robot.tube.take(1), robot.tube.append([1, 2, 3]), link.read(0x40)):
             with pytest.raises(BusError):
                 await refused
-        # A wide value changes with its last word, and is read as it was with its first.
+        # A wide value changes with the write of its last word, and is read as it was at the read of its first word.
         await link.write(0x00, 0x1234)
         assert await robot.wide.get() == -(1 << 39)
 
@@ -155,14 +155,14 @@ async def test_a_write_outside_of_the_limits_is_a_bus_error_that_the_log_explain
 
 @pytest.mark.slow
 @given(value=st.floats(-2, 2))
-def test_what_the_limits_of_a_signal_let_a_program_write_is_never_refused(value: float) -> None:
+def test_values_within_the_limits_of_a_signal_are_never_refused(value: float) -> None:
     interface = compile_file(EXAMPLES / "walker.ul").interface()
     registers = Registers(interface, loops_back=True)
     signal = interface.signals["legs[2].femur.pos_sp"]
     registers.write(signal.address, signal.encode(value)[0])
 
 
-def test_limits_with_a_fraction_of_a_whole_number_let_through_what_lies_between() -> None:
+def test_integers_between_fractional_limits_are_accepted() -> None:
     spec = compile_text("public lim() { @pos = 1: signed 8 READWRITE(MIN=-2.5, MAX=2.5); }")
     registers = Registers(spec.interface(), loops_back=True)
     for value in range(-2, 3):
@@ -176,7 +176,7 @@ def test_limits_with_a_fraction_of_a_whole_number_let_through_what_lies_between(
 
 
 @on_simulated_time
-async def test_a_model_moves_its_robot_on_modelled_time() -> None:
+async def test_a_model_moves_its_robot_on_simulated_time() -> None:
     async with rover() as (gateway, robot):
         await robot.left.duty.set(0.5)
         await asyncio.sleep(2)
@@ -200,12 +200,12 @@ async def test_published_groups_run_and_each_sample_is_of_one_instant() -> None:
             assert not batch.lost.any()
 
 
-# A machine that does much else would leave time out.
+# A busy machine would leave out time.
 @pytest.mark.slow
 @mock.patch("unity_link.virtual.simulated.LONGEST_TURN", math.inf)
 @settings(max_examples=examples(20))
 @given(looks=st.lists(st.floats(0, 0.3), max_size=30))
-def test_looking_changes_nothing(looks: list[float]) -> None:
+def test_reading_does_not_change_the_motion(looks: list[float]) -> None:
     def position(instants: list[float]) -> Any:
         gateway = simulate(ROVER, load_model(MODEL))
         gateway.receive(b"W12%08X\r" % 2047, 0.0)
@@ -217,7 +217,7 @@ def test_looking_changes_nothing(looks: list[float]) -> None:
 
 
 @on_simulated_time
-async def test_a_model_is_told_of_each_write_and_fills_queues() -> None:
+async def test_a_model_receives_each_write_and_fills_queues() -> None:
     async with rover() as (_, robot):
         for lamps in (1, 1, 8):
             await robot.lamps.set(lamps)
@@ -225,7 +225,7 @@ async def test_a_model_is_told_of_each_write_and_fills_queues() -> None:
 
 
 class Counts(SimulatedRobot):
-    """Steps once up to each look."""
+    """Steps once for each read."""
 
     step_seconds = None
     kick: int
@@ -253,7 +253,7 @@ class Events(SimulatedRobot):
             self.seen = 1 << value
 
 
-def test_a_model_sets_bits_that_a_program_clears_and_is_told_of_pulses_that_are_over() -> None:
+def test_a_model_sets_bits_that_a_program_clears_and_receives_pulses() -> None:
     robot = awkward(Events).robot
     registers = robot._registers
     for bit in (2, 3, 2):
@@ -266,12 +266,12 @@ def test_a_model_sets_bits_that_a_program_clears_and_is_told_of_pulses_that_are_
     for word in (2, 1, 0):
         for cell in registers.write(0x1A, word):
             robot.tell_written(cell)
-    # What is cleared is no value that hardware gets.
+    # A cleared event is not passed on to the model.
     assert robot.told == [("fire", True), ("fire", False), ("fire", False)]
     assert (robot.alarm, robot.fire, registers.read(0x1A)) == (False, False, 0)
 
 
-def test_a_model_without_a_step_size_is_stepped_up_to_each_look_and_names_that_are_taken_get_an_underscore() -> None:
+def test_a_model_without_a_step_size_is_stepped_at_each_read() -> None:
     gateway = awkward(Counts)
     for now in (1.0, 1.5, 1.5, 4.0):
         gateway.receive(b"R014\r", now)
@@ -280,7 +280,7 @@ def test_a_model_without_a_step_size_is_stepped_up_to_each_look_and_names_that_a
     assert gateway.receive(b"R014\rR015\r", 4.0) == b"R0140003\r\nR0150002\r\n"
 
 
-def test_time_that_nobody_can_make_up_for_is_left_out_and_told(caplog: pytest.LogCaptureFixture) -> None:
+def test_time_that_cannot_be_caught_up_is_left_out_and_logged(caplog: pytest.LogCaptureFixture) -> None:
     gateway = simulate(ROVER, load_model(MODEL))
     gateway.receive(b"R11\r", 0.0)
     gateway.receive(b"R11\r", 3600.0)
@@ -291,12 +291,12 @@ def test_time_that_nobody_can_make_up_for_is_left_out_and_told(caplog: pytest.Lo
 
 class Slow(SimulatedRobot):
     def step(self, dt: float) -> None:
-        # The processor is busy for longer than the step models.
+        # The step takes more processor time than it simulates.
         time.sleep(3 * dt)
 
 
 @on_simulated_time
-async def test_on_modelled_time_no_robot_is_too_slow(caplog: pytest.LogCaptureFixture) -> None:
+async def test_no_robot_is_too_slow_on_simulated_time(caplog: pytest.LogCaptureFixture) -> None:
     gateway = simulate(ROVER, Slow)
     for now in (0.0, 0.2):
         gateway.receive(b"R11\r", now)
@@ -305,7 +305,7 @@ async def test_on_modelled_time_no_robot_is_too_slow(caplog: pytest.LogCaptureFi
     assert not caplog.text
 
 
-# Mistakes of a model
+# Mistakes in a model
 
 
 class Wrong(SimulatedRobot):
@@ -320,12 +320,12 @@ class Wrong(SimulatedRobot):
         if value == 13:
             raise ZeroDivisionError("unlucky")
         if value == 14:
-            # As the result of a task that was cancelled.
+            # As if the model asked a cancelled task for its result.
             raise asyncio.CancelledError
 
 
 @on_simulated_time
-async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to_its_author(
+async def test_a_bug_in_a_model_is_a_bus_error_and_a_logged_traceback(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with rover(Wrong) as (_, robot):
@@ -358,7 +358,7 @@ async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to
         ("left = 3", "Model.left hides left of rover: give it another name"),
     ],
 )
-def test_a_mistake_in_a_model_is_one_clear_error(body: str, words: str, tmp_path: Path) -> None:
+def test_a_mistake_in_a_model_causes_one_clear_error(body: str, words: str, tmp_path: Path) -> None:
     file = tmp_path / "wrong.py"
     file.write_text(
         "from asyncio import CancelledError\nfrom unity_link.virtual.simulated import SimulatedRobot\n"
@@ -380,7 +380,7 @@ def test_a_mistake_in_a_model_is_one_clear_error(body: str, words: str, tmp_path
         ("Rover", "'Rover' names no model: a file and a class, such as my.py:Rover"),
     ],
 )
-def test_a_model_that_is_not_found_is_one_clear_error(text: str, words: str, tmp_path: Path) -> None:
+def test_a_missing_model_causes_one_clear_error(text: str, words: str, tmp_path: Path) -> None:
     (tmp_path / "good.py").write_text(
         "from pathlib import Path\nfrom unity_link.virtual.simulated import SimulatedRobot\n"
         "class One(SimulatedRobot): pass\nclass Two(SimulatedRobot): pass\n"
@@ -439,7 +439,7 @@ class Ramps(SimulatedRobot):
 
 
 @on_simulated_time
-async def test_each_group_has_a_trigger_of_its_own_for_program_and_model() -> None:
+async def test_each_group_has_its_own_trigger_for_program_and_model() -> None:
     triggered_type = unity_link.load(compile_text(TRIGGERED))
     gateway = simulated(triggered_type.interface, Ramps)
     async with unity_link.connect(gateway) as link:
@@ -452,7 +452,7 @@ async def test_each_group_has_a_trigger_of_its_own_for_program_and_model() -> No
             await asyncio.sleep(0.2)
             values = (await first.take())[robot.a].tolist()
             assert [round(value, -1) for value in values] == [100, 150]
-            # The sample is of the instant at which the model fired.
+            # The sample has the values of the instant at which the model fired.
             assert (await second.take())[robot.b].tolist() == [250]
             gateway.fire_at("second", 50)
             await asyncio.sleep(0.2)
@@ -463,7 +463,7 @@ async def test_each_group_has_a_trigger_of_its_own_for_program_and_model() -> No
 
 
 @on_simulated_time
-async def test_a_group_whose_trigger_is_wanted_is_that_of_its_number_or_none() -> None:
+async def test_a_subscription_with_a_trigger_gets_the_group_of_its_number() -> None:
     triggered_type = unity_link.load(compile_text(TRIGGERED.replace("first(4", "first(0")))
     async with unity_link.connect(simulated(triggered_type.interface)) as link:
         async with link.subscribe([0x10], rate_hz=10), triggered_type(link).groups["second"].subscribe():
@@ -479,7 +479,7 @@ async def test_a_group_whose_trigger_is_wanted_is_that_of_its_number_or_none() -
                 pass
 
 
-# By URL and command
+# By URL and by command
 
 
 async def in_sim(url: str) -> tuple[Any, ...]:
@@ -535,7 +535,7 @@ async def test_a_url_fires_triggers() -> None:
         ("sim:?trigger=3:fast", "a group and a rate in Hz were expected"),
     ],
 )
-def test_a_url_of_a_robot_that_cannot_be_is_one_clear_error(
+def test_an_impossible_url_of_a_robot_causes_one_clear_error(
     url: str, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(EXAMPLES)
@@ -565,7 +565,7 @@ def simulating(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
             process.kill()
 
 
-def test_simulate_serves_a_spec_and_takes_faults_and_triggers_in_lines() -> None:
+def test_simulate_serves_a_spec_and_reads_faults_and_triggers_as_lines() -> None:
     async def use(url: str, tell: Any) -> LoadedRobot:
         async with unity_link.connect(url) as link:
             robot = Rover(link)
@@ -593,7 +593,7 @@ def test_simulate_serves_a_spec_and_takes_faults_and_triggers_in_lines() -> None
         asyncio.run(use(url, tell))
 
 
-def test_record_runs_on_a_robot_of_ones_own(tmp_path: Path) -> None:
+def test_record_runs_on_a_users_robot(tmp_path: Path) -> None:
     url, output = f"sim:{ROVER}?model={MODEL}&trigger=bump:20", tmp_path / "run.mcap"
     command = [PROGRAM, "record", url, str(ROVER), "-o", str(output), "--duration", "1"]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
@@ -601,7 +601,7 @@ def test_record_runs_on_a_robot_of_ones_own(tmp_path: Path) -> None:
     assert {samples.group.name for samples, _ in Recording(output).samples()} == {"motion", "slow", "bump"}
 
 
-def test_a_model_with_a_bug_never_has_a_command_wait(tmp_path: Path) -> None:
+def test_a_bug_in_a_model_never_blocks_a_command(tmp_path: Path) -> None:
     model = tmp_path / "bad.py"
     model.write_text(
         "from unity_link.virtual.simulated import SimulatedRobot\n"

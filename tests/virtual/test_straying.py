@@ -12,26 +12,26 @@ from unity_link.virtual.faults import Straying
 
 
 def arrivals(straying: Straying[int], count: int = 10_000) -> list[tuple[int, int]]:
-    """Return what arrives as numbers of datagrams, each with the number of the last that was sent by then."""
+    """Return the arriving datagrams' numbers, each with the number of the last datagram sent by then."""
     return [(arrived, sent) for sent in range(count) for arrived in straying.carry(sent)]
 
 
-def test_without_faults_each_arrives_at_once() -> None:
+def test_each_datagram_arrives_at_once_without_faults() -> None:
     assert arrivals(Straying()) == [(number, number) for number in range(10_000)]
 
 
-def test_the_same_seed_does_the_same_and_another_does_not() -> None:
+def test_equal_seeds_have_equal_faults_and_others_do_not() -> None:
     first, again, other = (arrivals(Straying(seed, loss=0.1, late=0.1, double=0.1)) for seed in (1, 1, 2))
     assert first == again != other
 
 
-def test_what_is_lost_never_arrives_and_all_else_does_once() -> None:
+def test_lost_datagrams_never_arrive_and_all_others_arrive_once() -> None:
     arrived = [number for number, _ in arrivals(Straying(loss=0.1))]
     assert arrived == sorted(set(arrived))
     assert len(arrived) == pytest.approx(9000, rel=0.02)
 
 
-def test_what_is_doubled_arrives_at_once_and_once_more() -> None:
+def test_a_duplicated_datagram_arrives_at_once_and_again_later() -> None:
     arrived = arrivals(Straying(double=0.1, latest=50))
     at_once = [number for number, sent in arrived if number == sent]
     late = [number for number, sent in arrived if number != sent]
@@ -39,12 +39,12 @@ def test_what_is_doubled_arrives_at_once_and_once_more() -> None:
     assert len(set(late)) == len(late) == pytest.approx(1000, rel=0.1)
 
 
-def test_what_is_late_arrives_behind_one_to_the_most_others() -> None:
+def test_a_late_datagram_arrives_after_a_limited_number_of_others() -> None:
     lateness = [sent - number for number, sent in arrivals(Straying(late=0.3, latest=1000)) if number != sent]
     assert min(lateness) == 1
     assert 900 < max(lateness) <= 1000
     for low in (1, 8, 64, 512):
-        # Near and far alike: of ten powers of two each has its tenth, and the last one nearly.
+        # Short and long delays are equally frequent: each of ten powers of two has about a tenth of all.
         assert sum(low <= late < 2 * low for late in lateness) > len(lateness) / 20
 
 
@@ -55,6 +55,6 @@ def test_what_is_late_arrives_behind_one_to_the_most_others() -> None:
         ({"late": 0.6, "double": 0.6}, "loss, late, double are 1.2 together"),
     ],
 )
-def test_chances_that_cannot_be_are_refused(chances: dict[str, Any], message: str) -> None:
+def test_impossible_probabilities_are_refused(chances: dict[str, Any], message: str) -> None:
     with pytest.raises(ArgumentError, match=re.escape(message)):
         Straying(**chances)

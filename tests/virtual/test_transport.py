@@ -1,4 +1,4 @@
-"""The in-process transport: as a serial port, but exact in time and bounded in memory."""
+"""The in-process transport behaves as a serial port, but is exact in time and bounded in memory."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
     from unity_link.virtual import Gateway
 
 WORDS_WAITING = 512
-"""That samples wait in, in the default configuration of the model."""
+"""Size of the buffer of waiting samples in the model's default configuration, in words."""
 
 
 class Recorder(asyncio.Protocol):
-    """Keeps what happens to it, with the time."""
+    """Records its events with their times."""
 
     def __init__(self) -> None:
         self.received: list[tuple[float, bytes]] = []
@@ -68,7 +68,7 @@ async def turns(count: int = 50) -> None:
 
 
 @on_simulated_time
-async def test_what_is_written_in_one_turn_is_answered_in_one_read() -> None:
+async def test_bytes_written_in_one_turn_are_answered_in_one_read() -> None:
     transport, protocol = await connected(VirtualGateway())
     for address in range(100):
         transport.write(b"W%02X07\r" % address)
@@ -88,7 +88,7 @@ async def test_samples_arrive_at_the_instants_at_which_they_are_due() -> None:
 
 
 @on_simulated_time
-async def test_much_in_flight_is_taken_and_delivered_in_bounded_pieces() -> None:
+async def test_many_bytes_in_flight_are_taken_and_delivered_in_bounded_pieces() -> None:
     transport, protocol = await connected(VirtualGateway())
     transport.write(b"RM00FF\r" * 1000)
     await turns(200)
@@ -97,7 +97,7 @@ async def test_much_in_flight_is_taken_and_delivered_in_bounded_pieces() -> None
 
 
 @on_simulated_time
-async def test_a_protocol_that_does_not_read_is_asked_to_stop_writing_and_nothing_grows() -> None:
+async def test_a_protocol_that_does_not_read_is_paused_and_buffers_are_bounded() -> None:
     transport, protocol = await connected(VirtualGateway())
     transport.pause_reading()
     assert not transport.is_reading()
@@ -117,7 +117,7 @@ async def test_a_protocol_that_does_not_read_is_asked_to_stop_writing_and_nothin
 
 
 @on_simulated_time
-async def test_samples_that_find_the_protocol_not_reading_are_overruns() -> None:
+async def test_samples_for_a_protocol_that_does_not_read_are_overruns() -> None:
     gateway = VirtualGateway()
     transport, protocol = await connected(gateway)
     transport.write(b"GS000100010110\rGN00\r")
@@ -131,12 +131,12 @@ async def test_samples_that_find_the_protocol_not_reading_are_overruns() -> None
     await asyncio.sleep(0.01)
     samples = protocol.data.count(b"\nP")
     assert samples + gateway.groups.overruns == pytest.approx(100_000 * 3600.011, abs=3)
-    # Those that are late, and that waited in the gateway.
+    # Late samples in the transport, and samples that waited in the gateway.
     assert samples < MOST_UNDELIVERED / 16 + 1200 + WORDS_WAITING / 2
 
 
 @on_simulated_time
-async def test_a_loop_that_was_busy_catches_up_on_the_true_instants_within_the_lag() -> None:
+async def test_a_busy_loop_catches_up_at_the_correct_instants_within_the_lag() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     gateway = VirtualGateway()
@@ -170,7 +170,7 @@ async def test_a_trigger_wakes_the_loop() -> None:
 
 
 @on_simulated_time
-async def test_answers_that_a_slow_line_holds_back_come_when_it_has_room() -> None:
+async def test_answers_delayed_by_a_slow_line_arrive_when_it_has_space() -> None:
     transport, protocol = await connected(SlowLine(VirtualGateway(), 1000))
     transport.write(b"RM00FF\r" + b"H\r" * 3)
     await asyncio.sleep(10)
@@ -180,7 +180,7 @@ async def test_answers_that_a_slow_line_holds_back_come_when_it_has_room() -> No
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_requests_wait_outside_of_a_slow_line_that_is_full() -> None:
+async def test_requests_wait_in_the_transport_if_a_slow_line_is_full() -> None:
     line = SlowLine(VirtualGateway(), 1e6)
     transport, protocol = await connected(line)
     transport.write(b"RM00FF\r" * 12_000)
@@ -191,7 +191,7 @@ async def test_requests_wait_outside_of_a_slow_line_that_is_full() -> None:
 
 
 @on_simulated_time
-async def test_closing_executes_what_was_written_and_aborting_does_not() -> None:
+async def test_closing_executes_written_requests_and_aborting_does_not() -> None:
     for end, word in (("close", 7), ("abort", 0)):
         gateway = VirtualGateway()
         transport, protocol = await connected(gateway)

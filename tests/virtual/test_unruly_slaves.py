@@ -1,10 +1,10 @@
-"""The compiled gateware before slaves that answer late, twice or never, with err, rty and stall.
+"""The compiled gateware with slaves that answer late, twice or never, with err, rty and stall.
 
-Every access has a plan: what the slave answers when, and so what the gateway must make of it. Each reply carries a word
-of its own, so an answer that is taken for another access is seen in what the host gets.
+Every access has a plan: when the slave answers and how, and so the result that the gateway must report. Each reply has
+a unique word, so the host's answers reveal a reply that the gateway took for another access.
 
-On a pipelined bus several reads of a block or of a sample are under way at once. Nothing but their order tells their
-answers apart, so the slave keeps to it, late as it may be.
+On a pipelined bus several reads of a block or sample are in flight at once. Only their order distinguishes their
+answers, so the slave keeps the order even if it is late.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ pytestmark = [pytest.mark.rtl, needs_cxx]
 TIMEOUT = 1024
 """`bus_timeout` of both configurations."""
 LAST_UNHEARD = 2 * TIMEOUT + 1
-"""Cycles behind a strobe that timed out, in which an answer is still not looked at."""
+"""Cycles after a strobe that timed out during which the gateway still ignores answers."""
 ACK, ERR, RTY = 0, 1, 3
 NOTHING = ACK, -1
-"""In place of an answer and its word."""
+"""An answer and a word for no reply."""
 PATTERNS = {"default": 0, "walker": 0x8041_0C12_0F00_1124}
-"""Cycles in which the slave of each configuration stalls; only the second one is pipelined."""
+"""Bit patterns of the cycles in which the slave of each configuration stalls; only the second one is pipelined."""
 MOST_STALLS = 4
 REQUESTS_AT_ONCE = 16
 
 
 class _Attempt(NamedTuple):
-    """A strobe that the slave must see, and the replies to it: cycles after it, answer, word."""
+    """A strobe that the slave must receive, and the replies to it: cycles after it, answer, word."""
 
     address: int
     written: int | None
@@ -55,42 +55,42 @@ class _Outcome(NamedTuple):
 
 
 class _Read(NamedTuple):
-    """One of several reads that may be under way at once: how the slave answers each strobe of it."""
+    """One of several reads that may be in flight at once: the slave's answers to its strobes."""
 
     answers: deque[tuple[int, int]]
-    """Answer and word."""
+    """Answer and word of each strobe."""
     is_long: bool
-    """It takes nearly as long as it may."""
+    """True if the read takes nearly as long as the time-out permits."""
 
 
 @dataclass
 class _Stream:
-    """Cycles that the slave sees next, up to the end of a transaction."""
+    """The cycles of one transaction from the slave's view."""
 
     single: _Attempt | None = None
     reads: dict[int, _Read] = field(default_factory=dict)
     needed: list[_Read] = field(default_factory=list)
-    """Those that must be seen; where one of them fails, the gateway may have asked for those behind it, or not."""
+    """Reads that must occur; if one of them fails, the gateway may have requested later ones or not."""
     late: int | None = None
-    """The address from which on the answers come after the timeout."""
+    """The address from which on the answers come after the time-out."""
     is_sent_away: bool = False
     last: int = 0
     """The cycle of the last reply, or of the first strobe."""
     last_late: int = 0
-    """The last cycle for answers that come late, once there are such."""
+    """The last cycle for late answers, if there are any."""
 
     def has_timed_out(self, cycle: int) -> bool:
-        """Return whether a strobe in that cycle is for something else, as the bus has been taken back."""
+        """Return true if a strobe in that cycle belongs to another access, because the bus access has timed out."""
         return 0 < self.last_late < cycle + TIMEOUT
 
     @property
     def may_end(self) -> bool:
-        """Return whether the gateway may do without what is left."""
+        """Return true if the gateway may leave out the remaining strobes."""
         return self.single is None and not any(read.answers for read in self.needed)
 
 
 class _Unruly:
-    """A slave that follows a plan, which it makes as requests are made; notes where the gateway does not."""
+    """A slave that follows a plan, made with each request; it records where the gateway deviates."""
 
     def __init__(self, gateway: RtlGateway, stalls: int, last_reply: int) -> None:
         info = gateway.info
@@ -111,9 +111,9 @@ class _Unruly:
         return self._rng.getrandbits(self._word_bits)
 
     def plan(self, address: int, written: int | None = None) -> _Outcome:
-        """Make up how the next access goes; return what must come of it."""
+        """Plan the next access; return its required result."""
         self.accesses += 1
-        # Cycles from the first strobe to that of this attempt, at least and at most.
+        # Smallest and largest number of cycles from the first strobe to that of this attempt.
         least, most = 0, self._stalls
         while self._rng.random() < 0.05 and most < TIMEOUT // 2:
             after = self._soon()
@@ -133,7 +133,7 @@ class _Unruly:
         return 1 + int(self._rng.expovariate(0.8))
 
     def _late(self, address: int, written: int | None, least: int, most: int) -> _Outcome:
-        """Plan up to two answers after the timeout, the first and the last cycle of the quarantine among them."""
+        """Plan up to two answers after the time-out, including the first and the last cycle of the quarantine."""
         first, last = TIMEOUT - least, self._last_reply - most
         replies = [
             (self._rng.choice((first, last, self._rng.randrange(first, last + 1))), self._rng.choice((ACK, ERR, RTY)))
@@ -152,7 +152,7 @@ class _Unruly:
     def _attempt(
         self, address: int, written: int | None, replies: list[tuple[int, int]], again: tuple[int, ...] = ()
     ) -> int:
-        """Add an attempt; return the word of its first reply, which may be repeated with another one."""
+        """Add an attempt; return the word of its first reply. The reply may be followed by a second one."""
         told = [(after, answer, self.word()) for after, answer in replies]
         if again and self._rng.random() < 0.2:
             told.append((replies[0][0] + self._rng.choice(again), self._rng.choice((ACK, ERR, RTY)), self.word()))
@@ -160,11 +160,11 @@ class _Unruly:
         return told[0][2] if told else 0
 
     def plan_reads(self, addresses: Sequence[int]) -> tuple[list[int], int]:
-        """Make up how the reads of a block or of a sample go; return their words and the error, if any."""
+        """Plan the reads of a block or sample; return their words and the error, if any."""
         if len(addresses) == 1 or not self.reads_ahead:
             return self._plan_one_by_one(addresses)
         self.accesses += len(addresses)
-        # Of these three, two at a time have an outcome that does not depend on how far the gateway has read ahead.
+        # With any two of these three answers, the result does not depend on how far the gateway has read ahead.
         never = self._rng.choice((ACK, ERR, RTY))
         stream, words, error = _Stream(), [], 0
         lost = self._rng.choice(addresses) if self._rng.random() < 0.02 else None
@@ -202,7 +202,7 @@ class _Unruly:
         return _Read(answers, is_long=self._rng.random() < 0.03)
 
     def finish(self) -> None:
-        """Note strobes that were planned and did not come."""
+        """Record planned strobes that did not come."""
         missing = sum(not stream.may_end for stream in self._streams)
         if missing:
             self.faults.append(f"strobes of {missing} transactions too few")
@@ -240,11 +240,11 @@ class _Unruly:
         return attempt.replies
 
     def _answer_read(self, stream: _Stream, address: int, read: _Read, cycle: int) -> list[tuple[int, int, int]]:
-        """Answer one of several reads behind those before it, in time or not."""
+        """Answer one of several reads, after the ones before it, in time or late."""
         answer, word = read.answers.popleft()
         stream.last = stream.last or cycle
         if address == stream.late:
-            # What was sent away, and what waits for it, is not passed on when it is answered.
+            # A read that ended with rty, and later ones that wait for it, are not passed on when they are answered.
             first, last = (9, 120) if stream.is_sent_away else (1, 3)
             stream.last_late = stream.last + 3 * TIMEOUT - last
             read.answers.clear()
@@ -266,7 +266,7 @@ class _Unruly:
 
 
 class _Requests:
-    """Makes requests of every kind that uses the bus, and what must be answered."""
+    """Makes requests of every kind that uses the bus, with their required answers."""
 
     def __init__(self, gateway: RtlGateway, slave: _Unruly) -> None:
         self._slave = slave
@@ -283,7 +283,7 @@ class _Requests:
         return f"{value:0{self._digits[1]}X}"
 
     def next(self) -> tuple[str, str]:
-        """Return a request, and the lines that answer it."""
+        """Return a request, and the lines of its answer."""
         kind = self._rng.choice(("R", "R", "R", "W", "W", "WS", "RM", "RQ", "WM", "WQ", "WK", "GP"))
         address = self._rng.randrange((1 << self._address_bits) - 9)
         if kind == "GP":
@@ -339,7 +339,7 @@ def _or_error(answer: str, error: int) -> str:
 
 
 def _faults(configuration: str, accesses: int, last_reply: int) -> Iterator[str]:
-    """Yield what the gateware does wrong in so many random accesses."""
+    """Yield the errors of the gateware in a number of random accesses."""
     gateway, stalls = RtlGateway(configuration), PATTERNS[configuration]
     slave = _Unruly(gateway, stalls, last_reply)
     requests = _Requests(gateway, slave)
@@ -368,5 +368,5 @@ def test_no_answer_is_taken_for_another_access_in_half_a_million(configuration: 
 
 
 @pytest.mark.parametrize(("configuration", "beyond"), [("default", 1), ("walker", 20)])
-def test_an_answer_beyond_the_bound_is_seen_to_be_taken_for_another_access(configuration: str, beyond: int) -> None:
+def test_an_answer_beyond_the_limit_is_detected_as_taken_for_another_access(configuration: str, beyond: int) -> None:
     assert next(_faults(configuration, 10_000, LAST_UNHEARD + beyond), None) is not None

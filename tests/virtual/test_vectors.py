@@ -1,4 +1,4 @@
-"""The shared vectors are what the model answers, however the bytes arrive."""
+"""The model answers the shared vectors, however the bytes are cut."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def load(path: Path) -> tuple[VirtualGateway, list[dict[str, Any]]]:
 
 
 def split(answer: bytes, node: int | None) -> tuple[bytes, bytes]:
-    """Return responses and publishes."""
+    """Return responses and samples."""
     prefix = b"" if node is None else b"Z%02X" % node
     frames = cut(answer)
     assert b"".join(frames) == answer
@@ -58,7 +58,7 @@ def test_there_are_vectors_for_several_configurations() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
+def test_the_model_answers_every_vector_exactly(path: Path) -> None:
     gateway, steps = load(path)
     for step in steps:
         answer = gateway.receive(step["send"].encode("latin-1"), 0.0)
@@ -67,13 +67,13 @@ def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
-def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: Path) -> None:
+def test_each_sample_precedes_the_answer_to_the_request_that_took_it(path: Path) -> None:
     gateway, steps = load(path)
     for step in steps:
         frames = cut(gateway.receive(step["send"].encode("latin-1"), 0.0))
         kinds = [bool(split(frame, node_of(path))[1]) for frame in frames]
         if step["about"] == "a damaged compact frame":
-            # It may cut the one of the step before, of which an error tells beside.
+            # It may cut off the frame of the step before, which causes an error beside it.
             assert all(kinds[at + 1 : at + 2] == [False] for at, is_one in enumerate(kinds) if is_one), step["about"]
         else:
             assert not any(kinds) or kinds == [True, False] * (len(kinds) // 2), step["about"]
@@ -105,7 +105,7 @@ def test_bytes_may_arrive_in_pieces_of_any_size(path: Path, sizes: list[int]) ->
     assert both[1] == b"".join(expected(step)[1] for step in steps)
 
 
-def test_the_files_are_what_the_generator_writes() -> None:
+def test_the_files_are_as_the_generator_writes_them() -> None:
     generator = imported(FOLDER / "generate.py")
     assert sorted(generator.CONFIGURATIONS) == [path.stem for path in FILES]
     for path in FILES:

@@ -1,4 +1,4 @@
-"""The walking robot behind its addresses."""
+"""The walking robot at its addresses."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_joint_moves_to_its_set_point_with_a_signed_speed() -> None:
     assert gateway.bus.read(LEG_6_TIBIA + 2, 2) == target & 0xFFFF_FFFF
 
 
-def test_it_stops_at_its_limits() -> None:
+def test_a_joint_of_the_walker_stops_at_its_limits() -> None:
     gateway = VirtualGateway()
     Walker.attach(gateway)
     gateway.bus.write(0x12, round(math.pi * COUNTS_PER_RADIAN), 0)

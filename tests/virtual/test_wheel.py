@@ -1,4 +1,4 @@
-"""The compiled gateware comes with the package: `rtl:` works from an installed wheel, with a C++ compiler alone."""
+"""The package includes the compiled gateware: `rtl:` works from an installed wheel with only a C++ compiler."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def test_an_installed_wheel_compiles_and_opens_the_gateware(tmp_path: Path) -> N
     (wheel,) = tmp_path.glob("*.whl")
     site = tmp_path / "site"
     run(*PIP, "install", "--no-deps", "--no-index", "--target", site, wheel)
-    # For a single read, what is compiled at once is better than what runs fast.
+    # For a single read, a short compilation matters more than fast code.
     compiler = tmp_path / "compiler"
     compiler.write_text('#!/bin/sh\nexec c++ "$@" -O0\n')
     compiler.chmod(0o755)

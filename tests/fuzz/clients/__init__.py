@@ -1,7 +1,7 @@
-"""The generated clients in C and C++, built to be fuzzed: what a hostile gateway answers, and what a program calls.
+"""The generated clients in C and C++, built for fuzzing: an input chooses a gateway's answers and a program's calls.
 
-`medium.h` is their gateway, `client.c` and `client.cc` are the programs, generated from `robot.ul` is the rest. For a
-search clang builds them, with libFuzzer; to replay what is known gcc is enough.
+`medium.h` is the gateway, `client.c` and `client.cc` are the programs; all other code is generated from `robot.ul`. For
+a search, clang builds them with libFuzzer; gcc is enough to replay known inputs.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ def build_search(target: str, folder: Path) -> Path:
     """Return a program that searches, built by clang.
 
     Raises:
-        FileNotFoundError: where clang, or its libFuzzer, is missing.
+        FileNotFoundError: if clang or its libFuzzer is missing.
     """
     clang = next((path for path in map(shutil.which, CLANGS) if path), None)
     if clang is None:
@@ -45,7 +45,7 @@ def build_search(target: str, folder: Path) -> Path:
 
 
 def build_replay(target: str, folder: Path) -> Path:
-    """Return a program that gives files to a target, whole and in pieces, built by gcc."""
+    """Return a program, built by gcc, that passes files to a target, whole and in pieces."""
     sources = [HERE / "replay.c"]
     return _build(target, folder, ["gcc"], ["g++"], "-O0", "-fsanitize=address,undefined", more=sources)
 

@@ -1,5 +1,5 @@
-/* The client in C, with calls and a gateway that the bytes of an input choose. What a call has been given is taken away
- * when it returns, so that a sanitizer sees what is touched later. */
+/* The client in C, with calls and a gateway that the bytes of an input choose. The memory that is passed to a call is
+ * freed when the call returns, so that a sanitizer reports later accesses. */
 #include "medium.h"
 #include "robot.h"
 
@@ -18,7 +18,7 @@ static void check(ul_status status)
     HAS_TO_HOLD(*ul_status_text(status) != '\0');
 }
 
-/* Memory of exactly so many bytes, none of them known. */
+/* Return memory of exactly `size` bytes with arbitrary contents. */
 static void *lent(size_t size)
 {
     void *memory = malloc(size ? size : 1);
@@ -117,7 +117,7 @@ static void called_back(void *context, const ul_sample *sample)
     }
 }
 
-/* What the subscription pointed at before is the link's no more. */
+/* Free the memory of a subscription that has ended: the link must not access it any more. */
 static void let_go(ul_subscription *one)
 {
     free((void *)(uintptr_t)one->addresses);
@@ -172,7 +172,7 @@ static void call_subscription(unsigned choice)
     }
 }
 
-/* A double that may be anything. */
+/* Return any double, including NaN and infinity. */
 static double next_real(void)
 {
     uint64_t bits = next_number(8);

@@ -38,7 +38,7 @@ double next_real()
     return next_byte() & 1 ? value : static_cast<int>(next_byte());
 }
 
-// A program: a link, and what stands on it.
+// A program: a link, with the robot and the subscriptions that use it.
 class Program {
 public:
     explicit Program(const ul_transport &medium) : link_(medium, node, unity_link::Seconds{0.01 * next_byte()}) {}
@@ -204,7 +204,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             } catch (const std::runtime_error &) {
                 // A callback has thrown.
             } catch (const std::out_of_range &) {
-                // There are no networks before they are used.
+                // The networks do not exist before their first use.
             }
         }
         program.reset();

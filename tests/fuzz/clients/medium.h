@@ -1,9 +1,9 @@
-/* The medium of a fuzzed client: its gateway does what the input says, and time is simulated.
+/* The medium of a fuzzed client: the input controls its gateway, and time is simulated.
  *
- * Left alone, the gateway answers each request as one does that has memory everywhere, so that an input gets beyond the
- * opening. Each wait of the client takes a byte of the input, which says what arrives instead: bytes of the input, sound
- * frames with anything in them, parts of answers, answers that are damaged or lost, samples, nothing, the end of the
- * line. */
+ * By default the gateway answers each request as one with memory at all addresses, so that an input gets beyond the
+ * opening. Each wait of the client takes a byte of the input, which chooses the bytes that arrive instead: bytes of the
+ * input, frames with a valid CRC and any content, parts of answers, damaged or lost answers, samples, no bytes, or the
+ * end of the line. */
 #ifndef MEDIUM_H
 #define MEDIUM_H
 
@@ -41,7 +41,7 @@ static uint64_t next_number(unsigned bytes)
     return number;
 }
 
-/* What the gateway says of itself, and what it does. */
+/* The configuration and the state of the gateway. */
 static ul_info info;
 static int node;
 static bool is_open, is_gone;
@@ -71,7 +71,7 @@ static char *put_digits(char *at, unsigned digits, uint64_t number)
     return at + digits;
 }
 
-/* The check of a frame of the gateway: a session has its number in it, behind the prefix. */
+/* Return the CRC of a gateway's frame; after the prefix it depends on the number of the session. */
 static uint32_t crc_of(const char *bytes, size_t size)
 {
     size_t prefix = node >= 0 ? 3 : 0;
@@ -86,7 +86,7 @@ static uint32_t crc_of(const char *bytes, size_t size)
     return (uint32_t)rest;
 }
 
-/* Say a body as a sound frame. */
+/* Send a body in a frame with a valid CRC. */
 static void say_checked(const char *body, size_t size)
 {
     static char frame[LINE_SIZE + 16];
@@ -201,14 +201,14 @@ static void hear_line(char end)
     else if (body[0] >= 'g' && body[0] <= 'z') answer(body, size);
 }
 
-/* What arrives ------------------------------------------------------------------------------------------------------ */
+/* Arriving bytes ------------------------------------------------------------------------------------------------ */
 
 static void let_arrive(size_t size)
 {
     allowed_size = size < waiting_size - allowed_size ? allowed_size + size : waiting_size;
 }
 
-/* Take bytes of the input for a body: as they are, or as digits. */
+/* Take bytes of the input for a body, unchanged or as digits; return their number. */
 static size_t take_body(char *body, size_t most, bool as_digits)
 {
     size_t size = next_byte() % most;
@@ -247,7 +247,7 @@ static void say_sample(void)
     say_checked(body, (size_t)(at - body));
 }
 
-/* Do what a byte of the input says; whether time passes until the client waits no more. */
+/* Perform the action of a byte of the input; return true if the client waits for its whole time. */
 static bool act(void)
 {
     char body[256];
@@ -273,9 +273,9 @@ static bool act(void)
     return false;
 }
 
-/* What the client calls --------------------------------------------------------------------------------------------- */
+/* Calls of the client ---------------------------------------------------------------------------------------------- */
 
-/* Nobody uses a medium that is closed. */
+/* Assert that the client does not use a closed medium. */
 static void use(void)
 {
     HAS_TO_HOLD(is_open);
@@ -343,7 +343,7 @@ static void close_medium(void *context)
     is_open = false;
 }
 
-/* Have a medium of which the input says how its gateway is built. */
+/* Return a medium whose gateway has the configuration that the input chooses. */
 static ul_transport open_medium(void)
 {
     static const unsigned char DATA[] = {32, 8, 12, 13, 33, 63, 64, 16}, ADDRESS[] = {8, 12, 16, 17, 24, 31, 32, 9};

@@ -1,4 +1,4 @@
-/* Gives files to a target, as libFuzzer does. */
+/* Passes files to a target, as libFuzzer does. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@ int main(int count, char **paths)
     for (int index = 1; index < count; index++) {
         FILE *file = fopen(paths[index], "rb");
         if (file == NULL) return 2;
-        /* What an input does is told by its size, too, so there is no byte behind it. */
+        /* Each piece is copied to memory of its exact size, so that a sanitizer reports a read beyond its end. */
         static uint8_t read[1 << 16];
         size_t size = fread(read, 1, sizeof read, file);
         fclose(file);

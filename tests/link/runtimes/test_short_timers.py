@@ -1,4 +1,4 @@
-"""An event loop sleeps whole milliseconds; what a link has to do sooner, it does in time."""
+"""An event loop sleeps whole milliseconds; calls of a link that are due sooner are made on time."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ TURN = SHORTEST_SLEEP / 10
 
 
 class Handle:
-    """A call that is planned."""
+    """A planned call."""
 
     def __init__(self, function: Callable[[], object]) -> None:
         self.function: Callable[[], object] | None = function
@@ -27,7 +27,7 @@ class Handle:
 
 
 class Loop:
-    """An event loop of which each turn takes some time, and which says when it would sleep."""
+    """An event loop with turns that take some time; it records the times until which it would sleep."""
 
     def __init__(self) -> None:
         self.now = 100.0
@@ -63,7 +63,7 @@ def loop(monkeypatch: pytest.MonkeyPatch) -> Loop:
     return made
 
 
-def test_what_is_due_soon_is_done_in_the_first_turn_that_is_late_enough(loop: Loop) -> None:
+def test_a_call_due_soon_is_made_in_the_first_turn_after_its_time(loop: Loop) -> None:
     called: list[float] = []
     AsyncioRuntime().call_at(loop.now + 4.5 * TURN, lambda: called.append(loop.now))
     for _ in range(20):
@@ -72,13 +72,13 @@ def test_what_is_due_soon_is_done_in_the_first_turn_that_is_late_enough(loop: Lo
     assert (loop.ready, loop.slept_until) == ([], [])
 
 
-def test_what_is_due_later_is_slept_for(loop: Loop) -> None:
+def test_the_loop_sleeps_until_a_call_that_is_due_later(loop: Loop) -> None:
     AsyncioRuntime().call_at(loop.now + 2 * SHORTEST_SLEEP, lambda: None)
     assert (loop.ready, loop.slept_until) == ([], [100 + 2 * SHORTEST_SLEEP])
 
 
 @pytest.mark.parametrize("turns", [0, 2])
-def test_what_was_cancelled_is_not_done(loop: Loop, turns: int) -> None:
+def test_a_cancelled_call_is_not_made(loop: Loop, turns: int) -> None:
     called: list[float] = []
     timer = AsyncioRuntime().call_at(loop.now + 5 * TURN, lambda: called.append(loop.now))
     for _ in range(turns):
@@ -90,7 +90,7 @@ def test_what_was_cancelled_is_not_done(loop: Loop, turns: int) -> None:
 
 
 @on_simulated_time
-async def test_a_clock_that_stands_still_while_there_is_work_is_slept_for() -> None:
+async def test_a_short_timer_works_on_simulated_time() -> None:
     loop, called = asyncio.get_running_loop(), []
     AsyncioRuntime().call_at(loop.time() + TURN, lambda: called.append(loop.time()))
     await asyncio.sleep(1.0)

@@ -1,4 +1,4 @@
-"""Waiting primitives: the same in asyncio, under trio and in blocking code."""
+"""Synchronisation primitives behave alike in asyncio, under trio and in blocking code."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ ADDRESS = 0x10
 
 
 async def count(link: Link, lock: Lock) -> None:
-    """Count up a word of the gateway, by a read and a write that belong together."""
+    """Increment a word of the gateway, by a read and a write between which no other task may write."""
     for _ in range(TIMES):
         async with lock:
             await link.write(ADDRESS, await link.read(ADDRESS) + 1)
@@ -64,25 +64,25 @@ WAYS = [in_asyncio, under_trio, in_threads]
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_a_lock_lets_one_in_at_a_time(way: Callable[..., int]) -> None:
+def test_a_lock_admits_one_task_at_a_time(way: Callable[..., int]) -> None:
     lock = Lock()
     assert way(lambda link: count(link, lock), TASKS) == TASKS * TIMES
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_all_that_is_gathered_is_done_and_the_first_error_is_raised(way: Callable[..., int]) -> None:
+def test_gather_completes_all_calls_and_raises_the_first_error(way: Callable[..., int]) -> None:
     async def program(link: Link) -> None:
         assert await gather(link.read(1), link.read(2)) == [0, 0]
         with pytest.raises(unity_link.ArgumentError, match="0x1000"):
             await gather(link.read(0x1000), link.write(ADDRESS, 5))
-        # In asyncio the others go on behind the error.
+        # In asyncio the other calls continue after the error.
         await link.fence()
 
     assert way(program, 1) == 5
 
 
 @pytest.mark.parametrize("way", WAYS)
-def test_an_event_is_waited_for_by_all(way: Callable[..., int]) -> None:
+def test_all_tasks_may_wait_for_an_event(way: Callable[..., int]) -> None:
     event = Event()
 
     async def program(link: Link) -> None:
@@ -94,7 +94,7 @@ def test_an_event_is_waited_for_by_all(way: Callable[..., int]) -> None:
     assert way(program, 3) & 1
 
 
-# The unadjusted clock
+# The steady clock (CLOCK_MONOTONIC_RAW)
 
 
 async def _steady() -> float:
@@ -120,19 +120,19 @@ def _in_blocking_code() -> float:
 
 
 @pytest.mark.parametrize("read", [_under_asyncio, _under_trio, _in_blocking_code])
-def test_the_steady_clock_is_the_one_that_all_programs_have_in_common(read: Callable[[], float]) -> None:
+def test_the_steady_clock_is_the_raw_monotonic_clock_of_the_system(read: Callable[[], float]) -> None:
     before = time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
     seconds = read()
     assert before <= seconds <= time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
 
 
 @on_simulated_time
-async def test_the_steady_clock_of_a_modelled_loop_is_its_own() -> None:
+async def test_the_steady_clock_of_a_simulated_loop_is_its_own() -> None:
     await asyncio.sleep(1000)
     assert running().steady() == asyncio.get_running_loop().time()
 
 
-def test_the_steady_clock_under_a_modelled_clock_of_trio_is_that_one() -> None:
+def test_the_steady_clock_under_a_mock_clock_of_trio_is_the_mock_clock() -> None:
     clock = trio.testing.MockClock(rate=1)
     clock.jump(1e9)
     assert _under_trio(clock) == pytest.approx(1e9, abs=1e6)

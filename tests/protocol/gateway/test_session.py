@@ -1,4 +1,4 @@
-"""The gateway's side of a session, where no test of a gateway says it."""
+"""The gateway's side of a session: cases that no test of a whole gateway has."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.protocol.wire.messages import Codec, ErrorCode
 
 
-def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset() -> None:
+def test_a_session_exists_from_its_opening_until_a_reset() -> None:
     session = GatewaySession(Codec(GatewayInfo()))
     found = [session.begun]
     session.begin(0x1234, 0)
@@ -19,7 +19,7 @@ def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset(
 
 
 @pytest.mark.parametrize(("crc_bits", "last"), [(8, 0x7F), (16, 0x7FFF), (32, 0x7FFF)])
-def test_a_session_has_a_number_that_fits_in_the_check_beside_the_direction(crc_bits: int, last: int) -> None:
+def test_a_session_number_leaves_a_bit_of_the_crc_for_the_direction(crc_bits: int, last: int) -> None:
     codec = Codec(GatewayInfo(crc_bits=crc_bits, crc_polynomial=0x07))
     session = GatewaySession(codec)
     for number in (0, last + 1, 2 * last + 1):
@@ -30,7 +30,7 @@ def test_a_session_has_a_number_that_fits_in_the_check_beside_the_direction(crc_
     assert max(session.state.seeds) < 1 << crc_bits
 
 
-def test_what_ends_behind_its_session_changes_nothing_of_the_next() -> None:
+def test_requests_that_end_after_their_session_leave_the_next_unchanged() -> None:
     session = GatewaySession(Codec(GatewayInfo()))
     session.begin(1, 0)
     late = session.state

@@ -1,7 +1,7 @@
-"""Answers that stand side by side are taken in one go: the same comes of it as line by line.
+"""A session decodes consecutive answers together; the result is the same as decoding them line by line.
 
-They are compared with what is expected, and the window is told together of those whose IDs follow each other. A request
-that is alone goes and is answered by the shortest way.
+The session compares each answer with the bytes that it expects, and reports answers with consecutive IDs to the window
+in one call. A single outstanding request is sent and answered by a shorter code path.
 """
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ BATCHES = {"batch": 40, "small batch": 5}
 
 
 class Slow(Session):
-    """A session that at each request tries whether there is room, and asks the window for each source.
+    """A session that decides for each request by the window's numbers if it may be sent, without shortcuts.
 
-    Its window takes no answer for one that says nothing of others.
+    Its window never reports that the line is free of losses, so no answer is taken by the shortest path.
     """
 
     def submit(self, source: Any, now: float) -> list[Any]:
@@ -82,7 +82,7 @@ class Slow(Session):
 
 
 class Line(ResponseReceiver):
-    """A reader that opens and decodes each line by itself; the window is told of answers that follow each other."""
+    """A reader that opens and decodes each line by itself, and reports answers with consecutive IDs together."""
 
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         while (after := self._receive_group(data, start, now, events)) != start:
@@ -90,7 +90,7 @@ class Line(ResponseReceiver):
         return start
 
     def _receive_group(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
-        """Take checked answers whose IDs follow each other; return where they end."""
+        """Take checked answers with consecutive IDs; return the offset at which they end."""
         taken: list[int] = []
         for line in data[start:].split(b"\n")[:-1]:
             try:
@@ -118,12 +118,12 @@ class Line(ResponseReceiver):
 
 
 class Turn(NamedTuple):
-    """Requests of one turn, and the fates of their answers."""
+    """Requests that a program submits in one turn, and what happens to their answers."""
 
     commands: list[str]
     kinds: list[str]
     cuts: list[int] | None
-    """Offsets at which what arrives is cut; None: between the answers."""
+    """Offsets at which the arriving bytes are cut; None: between the answers."""
     seconds: float
     cancelled: bool
 
@@ -141,11 +141,11 @@ turns = st.lists(
 )
 
 LOSS = [Turn(["R"], [], [], 0.0, cancelled=False), Turn([], ["whole"], [], 3.0, cancelled=False)]
-"""One request is not answered until it is sent again."""
+"""One request gets no answer until the host retransmits it."""
 
 
 class Host:
-    """One side of the comparison: what it sends, is told and keeps."""
+    """One side of the comparison: a session, the bytes that it sends and the events that it returns."""
 
     def __init__(self, kind: type[Session], node: int | None, credit: int | None = None) -> None:
         info, session = INFO, kind(None, lambda: 0)
@@ -217,7 +217,7 @@ class Host:
 
 
 def frames(host: Host, kinds: list[str]) -> list[bytes]:
-    """Return answers to what is under way, in order, with what `kinds` does to them."""
+    """Return the answers to the requests in flight, in order, each changed as its entry of `kinds` says."""
     codec, data = host.codec, []
     number = host.window.oldest
     for kind in kinds:
@@ -245,7 +245,7 @@ def frames(host: Host, kinds: list[str]) -> list[bytes]:
             "another's": codec.framing.checked(b"K4321"),
             "out of sequence": as_gateway(codec, b"n" + identifier),
             "sample": as_gateway(codec, b"P010700000001"),
-            # Sound, and no answers all the same; or sound in a way that is seldom.
+            # Frames with a correct CRC that are no valid answers, or valid answers in a rare form.
             "line end within": as_gateway(codec, codec.lower[command] + identifier + b"00\n00005"),
             "line end in front": as_gateway(codec, codec.lower[command] + identifier + b"\n000005A"),
             "plain": codec.framing.plain_reply(codec.lower[command] + identifier + b"0000005A"),
@@ -272,14 +272,14 @@ def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
 
 FENCED_BY_TIME = [Turn(["R", "R", "R", "fence", "fence", "WS", "R"], [], None, 0.0, cancelled=False)]
 FENCED_BY_TIME += [Turn(["R"], [], None, 0.01, cancelled=True)]
-"""The ``h`` behind a posted write goes by the time, and leaves room for the read that waits."""
+"""The time-out sends the `h` after a posted write, which leaves space for the waiting read."""
 
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
 @settings(max_examples=examples(120))
 @example(turns=FENCED_BY_TIME, before=[], credit=100)
 @given(turns=turns, before=st.sampled_from([[], LOSS]), credit=st.sampled_from([None, None, 20, 100, 500]))
-def test_answers_side_by_side_are_what_they_are_line_by_line(
+def test_consecutive_answers_have_the_result_of_line_by_line_decoding(
     node: int | None, turns: list[Turn], before: list[Turn], credit: int | None
 ) -> None:
     quick, slow = Host(Session, node, credit), Host(Slow, node, credit)
@@ -299,8 +299,8 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(
             assert_has_room_where_there_is_some(host.window)
 
 
-def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Otherwise the comparison would compare one way with itself."""
+def test_consecutive_answers_have_a_code_path_of_their_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The comparison above needs two code paths: consecutive answers are taken without `_receive_line`."""
     host = Host(Session, None)
     host.ask(Turn(["R", "W", "RM", "small batch"], [], [], 0.0, cancelled=False), 0.0)
     monkeypatch.setattr(ResponseReceiver, "_receive_line", None)
@@ -308,7 +308,7 @@ def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> No
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
 
 
-def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_single_outstanding_request_has_code_paths_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     host = Host(Session, None)
     monkeypatch.setattr(Session, "submit", None)
     monkeypatch.setattr(Session, "receive", None)
@@ -320,7 +320,7 @@ def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pyt
 
 @pytest.mark.parametrize("kind", ["short", "line end within", "line end in front", "upper case", "plain", "damaged"])
 @pytest.mark.parametrize("count", [1, 2])
-def test_what_is_no_answer_as_it_should_be_is_not_taken_for_one(kind: str, count: int) -> None:
+def test_an_invalid_answer_has_the_result_of_line_by_line_decoding(kind: str, count: int) -> None:
     quick, slow = Host(Session, None), Host(Slow, None)
     for host in (quick, slow):
         host.ask(Turn(["R"] * count, [], [], 0.0, cancelled=False), 0.0)

@@ -1,4 +1,4 @@
-"""A batch of many messages, and what becomes of it when the gateway refuses some."""
+"""A batch of many messages, and its outcome if the gateway refuses some of them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ CODEC = HostCodec(GatewayInfo())
 
 
 @pytest.mark.parametrize("refused", [(4, 3), (3, 4)], ids=["the later first", "in order"])
-def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_whenever_that_is_known(
+def test_a_batch_reports_the_error_of_its_first_refused_message(
     refused: tuple[int, int],
 ) -> None:
     batch = WordBatch(CODEC, "R", [(np.arange(8), CODEC.info.address_digits)])
@@ -35,7 +35,7 @@ def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_when
     assert str(batch.error) == "3"
 
 
-def test_a_part_that_is_sent_again_is_the_frames_of_that_part() -> None:
+def test_a_retransmitted_part_has_the_frames_of_that_part() -> None:
     batch = WordBatch(CODEC, "R", [(np.arange(30), CODEC.info.address_digits)])
     run = batch.take(30, [])
     frames = run.encode().splitlines(keepends=True)

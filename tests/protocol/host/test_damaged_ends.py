@@ -1,4 +1,4 @@
-"""Damage to the end of an answer: what a session makes of it does not depend on where reads are cut."""
+"""Damage to the end of an answer: the result does not depend on the offsets at which reads are cut."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from unity_link.protocol.host.session import Session
 from unity_link.protocol.wire.configuration import GatewayInfo
 
 SHORT = GatewayInfo(id_digits=2)
-"""With a CRC of 8 bits, one damaged frame in 256 would pass, and some of these only where reads are cut so."""
+"""A CRC of 8 bits passes one damaged frame in 256, and some of these frames only if reads are cut in a certain way."""
 LONG = GatewayInfo(data_bits=64, crc_bits=32, crc_polynomial=0x04C11DB7)
 WORDS = 3
 REPLIES = {"R": 1, "W": 0, "RM": WORDS, "H": 0}
 
 
 class Fate(NamedTuple):
-    """Fate of an answer on its way."""
+    """What happens to an answer on its way to the host."""
 
     kind: str
     place: int
@@ -64,7 +64,7 @@ class Host:
         return as_gateway(self.codec, b"P0107" + b"5" * self.codec.data_digits)
 
     def hear(self, pieces: list[bytes]) -> object:
-        """Take bytes, without what follows of it, and return all that can be seen."""
+        """Pass bytes to the reader, without carrying out the events; return all visible results."""
         rest = b""
         for piece in pieces:
             data = rest + piece
@@ -121,7 +121,7 @@ answered = st.lists(
     ids=["usual", "addressed", "short", "long"],
 )
 @given(arriving=answered, cuts=st.lists(st.integers(0, 999), max_size=8))
-def test_answers_with_any_damage_are_the_same_however_reads_are_cut(
+def test_the_result_of_damaged_answers_does_not_depend_on_the_cuts(
     info: GatewayInfo, node: int | None, arriving: list[tuple[str, Fate]], cuts: list[int]
 ) -> None:
     commands, fates = [command for command, _ in arriving], [fate for _, fate in arriving]
@@ -141,7 +141,7 @@ many_fates = st.lists(
 
 @pytest.mark.parametrize("node", [None, 5], ids=["usual", "addressed"])
 @given(arriving=many_fates, cuts=st.lists(st.integers(0, 3999), max_size=8))
-def test_answers_to_a_batch_with_any_damage_are_the_same_however_reads_are_cut(
+def test_the_result_of_a_damaged_batch_does_not_depend_on_the_cuts(
     node: int | None, arriving: list[Fate], cuts: list[int]
 ) -> None:
     seen = []
@@ -158,7 +158,7 @@ def test_answers_to_a_batch_with_any_damage_are_the_same_however_reads_are_cut(
 
 @pytest.mark.parametrize("node", [None, 5], ids=["usual", "addressed"])
 @pytest.mark.parametrize("command", [*REPLIES])
-def test_an_answer_whose_end_is_damaged_is_known_for_damaged_with_its_last_byte(command: str, node: int | None) -> None:
+def test_an_answer_with_a_damaged_end_is_rejected_at_its_last_byte(command: str, node: int | None) -> None:
     host = Host(GatewayInfo(), node, [command])
     (answer,) = host.answers
     host.hear([answer[:-1]])
@@ -167,7 +167,7 @@ def test_an_answer_whose_end_is_damaged_is_known_for_damaged_with_its_last_byte(
     assert (host.counters.damaged, host.window.retransmission.is_due(), host.events) == (1, True, [])
 
 
-def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
+def test_an_answer_after_one_with_a_damaged_end_is_accepted() -> None:
     host = Host(GatewayInfo(), None, ["R", "RM", "W"])
     stream = b"".join(answer[:-1] + b"\x0b" for answer in host.answers[:2]) + host.answers[2]
     host.hear([stream])
@@ -175,25 +175,25 @@ def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
     assert host.counters.damaged == 2
 
 
-def test_a_frame_that_is_too_long_for_what_it_begins_as_is_damaged_though_it_looks_plain() -> None:
+def test_a_frame_too_long_for_its_request_is_damaged_even_if_plain() -> None:
     host = Host(GatewayInfo(), None, ["R", "R"])
     host.hear([host.answers[0][:-1] + b"?" + host.answers[1][:-2] + b"\r\n"])
     assert (host.events, host.counters.damaged, host.window.retransmission.is_due()) == ([], 1, True)
 
 
-def test_an_answer_whose_end_is_lost_is_not_taken_though_its_check_is_right() -> None:
+def test_an_answer_without_its_line_end_is_rejected() -> None:
     host = Host(GatewayInfo(), None, ["R", "R"])
     host.hear([host.answers[0][:-1], b"", host.answers[1]])
     assert [event.first for event in host.events] == []
 
 
-def test_a_sample_whose_end_is_damaged_does_not_take_the_answer_behind_it_along() -> None:
+def test_an_answer_after_a_sample_with_a_damaged_end_is_accepted() -> None:
     host = Host(GatewayInfo(), None, ["R"])
     host.hear([host.sample()[:-1] + b"\x0b" + host.answers[0]])
     assert [event.first for event in host.events] == [0]
 
 
-def test_an_error_whose_first_letter_became_that_of_samples_is_a_sign_of_loss() -> None:
+def test_an_error_frame_damaged_into_a_sample_is_a_sign_of_loss() -> None:
     host = Host(GatewayInfo(), None, ["R"])
     host.reader.receive(b"P01D488\n", 0.0, host.events)
     assert host.window.retransmission.is_due()

@@ -1,4 +1,4 @@
-"""Which group of the gateway a subscription gets, and which cannot be had."""
+"""The group of the gateway that a subscription gets, and the requests for a group that are refused."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ def table(count: int = 3) -> GroupTable:
     return GroupTable(count, lambda step, events: None)
 
 
-def test_the_group_that_was_given_back_longest_ago_is_given_next() -> None:
+def test_the_group_that_was_released_longest_ago_is_assigned_next() -> None:
     groups = table()
     first, second = (groups.hold(b"", 5, None) for _ in range(2))
     assert groups.release(second)
@@ -27,7 +27,7 @@ def test_a_group_is_released_once() -> None:
     assert not groups.release(held)
 
 
-def test_a_group_that_was_asked_for_is_had_or_it_is_said_why_not() -> None:
+def test_a_requested_group_is_assigned_or_refused_with_a_reason() -> None:
     groups = table()
     for number in (0, 2):
         assert groups.hold(b"", 5, None, number=number).number == number
@@ -40,7 +40,7 @@ def test_a_group_that_was_asked_for_is_had_or_it_is_said_why_not() -> None:
             groups.hold(b"", 5, None, number=wrong)
 
 
-def test_where_all_groups_are_in_use_it_says_what_to_do() -> None:
+def test_the_error_if_all_groups_are_in_use_says_what_to_do() -> None:
     groups = table(1)
     groups.hold(b"", 5, None)
     with pytest.raises(UnsupportedError, match="all 1 groups of the gateway are in use: end a subscription first"):

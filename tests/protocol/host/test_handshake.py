@@ -1,4 +1,4 @@
-"""The first words on a connection, by bytes and times."""
+"""The first messages on a connection: their bytes and times."""
 
 from __future__ import annotations
 
@@ -35,22 +35,22 @@ BEFORE = 0x4321
 
 
 def numbers(seed: int = SEED) -> SessionNumbers:
-    """Return numbers of sessions from 1235 on, where the first ID is 234."""
+    """Return session numbers from 1235 on; the first ID of the session is 234."""
     return SessionNumbers(itertools.count(seed).__next__)
 
 
 def asks_session(place: int = 0) -> bytes:
-    """Return a question for a session: each is for another."""
+    """Return the request that opens a session; each attempt has a number of its own."""
     return FRAMING.checked(b"K234%04X" % (0x1236 + place))
 
 
 def begins(place: int = 0, ended: int = 0) -> bytes:
-    """Return the answer to it."""
+    """Return the gateway's answer to the same attempt."""
     return FRAMING.checked(b"K234%04X%04X" % (0x1236 + place, ended))
 
 
 def asking(now: float = 0.0, *, before: int = 0, wire_time: float | None = None) -> Handshake:
-    """Return a handshake that has sent its first question."""
+    """Return a handshake that has sent its first request."""
     handshake = Handshake(None, numbers(), now, before=before, wire_time=wire_time)
     assert handshake.asks
     assert handshake.take_output() == ASKS_PLAIN
@@ -63,7 +63,7 @@ def is_complete(handshake: Handshake) -> bool:
 
 
 def known(*, before: int = 0) -> Handshake:
-    """Return one that knows the gateway, at time 0.02."""
+    """Return a handshake that has the gateway's configuration, at time 0.02."""
     handshake = asking(before=before)
     handshake.receive(PLAIN, 0.01)
     assert handshake.take_output() == ASKS_CHECKED
@@ -71,7 +71,7 @@ def known(*, before: int = 0) -> Handshake:
     return handshake
 
 
-def test_a_session_begins_when_both_answers_agree_and_the_third_has_come() -> None:
+def test_a_session_begins_after_two_equal_answers_and_the_third() -> None:
     handshake = known()
     assert (handshake.codec.info, handshake.first) == (INFO, SEED & 0xFFF)
     assert handshake.take_output() == asks_session()
@@ -82,17 +82,17 @@ def test_a_session_begins_when_both_answers_agree_and_the_third_has_come() -> No
     assert handshake.round_trip == pytest.approx(0.005)
 
 
-def test_a_handshake_goes_through_its_states_one_question_each() -> None:
+def test_a_handshake_sends_one_request_in_each_of_its_states() -> None:
     handshake = asking(before=BEFORE)
     states = [handshake.state]
     for answer in (PLAIN, CHECKED, FRAMING.checked(b"K%04X" % BEFORE), begins(ended=BEFORE)):
         handshake.receive(answer, 0.01)
         states.append(handshake.state)
-    # A session in compact form has one more (`test_trial`).
+    # Only a session in compact form enters TRYING (see `test_trial`).
     assert states == [state for state in State if state is not State.TRYING]
 
 
-def test_a_question_is_asked_again_when_nothing_answers_half_as_often_each_time() -> None:
+def test_an_unanswered_request_is_repeated_after_twice_the_time() -> None:
     handshake, now, pauses = asking(), 0.0, []
     for _ in range(6):
         handshake.expire(handshake.deadline - 1e-6)
@@ -104,7 +104,7 @@ def test_a_question_is_asked_again_when_nothing_answers_half_as_often_each_time(
     assert pauses == pytest.approx([FIRST_TRY, 0.2, 0.4, 0.8, LONGEST_TRY, LONGEST_TRY])
 
 
-def test_a_damaged_answer_has_the_question_asked_again_at_once_and_the_next_answer_waited_for_not_much_longer() -> None:
+def test_a_damaged_answer_shortens_the_time_to_the_next_requests() -> None:
     handshake = asking()
     handshake.receive(b"X02@\r\n", 0.004)
     assert handshake.deadline == pytest.approx(0.004 + DAMAGE_PAUSE)
@@ -115,7 +115,7 @@ def test_a_damaged_answer_has_the_question_asked_again_at_once_and_the_next_answ
     assert handshake.deadline == pytest.approx(0.006 + DAMAGE_PATIENCE * 0.004)
 
 
-def test_where_nodes_take_turns_a_damaged_answer_is_waited_out() -> None:
+def test_a_damaged_answer_does_not_shorten_the_wait_if_nodes_take_turns() -> None:
     handshake = asking(wire_time=0.5)
     handshake.receive(b"noise\r\n", 0.004)
     assert handshake.deadline == pytest.approx(FIRST_TRY + 0.5)
@@ -124,7 +124,7 @@ def test_where_nodes_take_turns_a_damaged_answer_is_waited_out() -> None:
     assert handshake.deadline == pytest.approx(7.0 + 2 * FIRST_TRY + 0.5)
 
 
-def test_a_plain_answer_without_the_number_of_a_session_begins_none() -> None:
+def test_a_plain_answer_without_a_valid_session_number_begins_no_session() -> None:
     handshake = Handshake(None, numbers(), 0.0, person=True)
     handshake.receive(PLAIN, 0.01)
     handshake.receive(CHECKED, 0.02)
@@ -135,7 +135,7 @@ def test_a_plain_answer_without_the_number_of_a_session_begins_none() -> None:
     assert is_complete(handshake)
 
 
-def test_a_plain_answer_that_no_checked_one_confirms_is_doubted() -> None:
+def test_a_plain_answer_without_a_checked_one_is_requested_again() -> None:
     handshake = asking()
     handshake.receive(PLAIN, 0.01)
     for _ in range(CHECKED_TRIES):
@@ -145,7 +145,7 @@ def test_a_plain_answer_that_no_checked_one_confirms_is_doubted() -> None:
     assert "nothing" not in handshake.describe()
 
 
-def test_a_checked_answer_that_says_something_else_must_be_said_twice() -> None:
+def test_a_checked_answer_that_differs_is_accepted_the_second_time() -> None:
     handshake = asking()
     handshake.receive(PLAIN, 0.01)
     handshake.take_output()
@@ -158,7 +158,7 @@ def test_a_checked_answer_that_says_something_else_must_be_said_twice() -> None:
     assert handshake.take_output() == asks_session()
 
 
-def test_an_impossible_answer_is_believed_when_it_was_said_often_enough_in_a_row() -> None:
+def test_an_impossible_answer_is_accepted_after_enough_repetitions() -> None:
     handshake = asking()
     wrong = b"Q" + INFO.to_hex().replace(b"03", b"09", 1) + b"\r\n"
     other = b"Q" + INFO.to_hex().replace(b"03", b"08", 1) + b"\r\n"
@@ -169,7 +169,7 @@ def test_an_impossible_answer_is_believed_when_it_was_said_often_enough_in_a_row
         handshake.receive(wrong, 0.01)
 
 
-def test_an_echo_is_believed_when_nothing_else_was_heard_for_long() -> None:
+def test_an_echo_is_reported_if_only_echoes_arrive_for_long() -> None:
     handshake = asking()
     for now in (0.0, 0.3, ECHO_PATIENCE):
         handshake.receive(ASKS_PLAIN + b"\n", now)
@@ -179,7 +179,7 @@ def test_an_echo_is_believed_when_nothing_else_was_heard_for_long() -> None:
         handshake.receive(ASKS_PLAIN + b"\n", ECHO_PATIENCE + 0.01)
 
 
-def test_an_echo_that_is_known_says_nothing_however_long_it_is_alone() -> None:
+def test_an_expected_echo_never_ends_the_handshake() -> None:
     handshake = Handshake(None, numbers(), 0.0, compact=True, echo=True)
     for now in (0.0, 0.3, ECHO_PATIENCE + 1, 100.0):
         handshake.receive(ASKS_PLAIN + b"\n", now)
@@ -190,7 +190,7 @@ def test_an_echo_that_is_known_says_nothing_however_long_it_is_alone() -> None:
     assert handshake.take_output() == ASKS_CHECKED
 
 
-def test_an_answer_behind_an_echo_is_an_answer() -> None:
+def test_an_answer_after_echoes_is_accepted() -> None:
     handshake = asking()
     for now in (0.0, 1.0, 2.0):
         handshake.receive(ASKS_PLAIN + b"\n", now)
@@ -201,7 +201,7 @@ def test_an_answer_behind_an_echo_is_an_answer() -> None:
 
 
 @pytest.mark.parametrize(("under_way", "was_reset"), [(0, True), (BEFORE, False)])
-def test_after_an_earlier_session_it_is_asked_whether_the_gateway_was_reset(under_way: int, was_reset: bool) -> None:
+def test_a_reconnecting_host_asks_if_the_gateway_was_reset(under_way: int, was_reset: bool) -> None:
     handshake = known(before=BEFORE)
     assert handshake.take_output() == ASKS_WHOSE
     handshake.receive(FRAMING.checked(b"K%04X" % under_way), 0.03)
@@ -211,27 +211,27 @@ def test_after_an_earlier_session_it_is_asked_whether_the_gateway_was_reset(unde
     assert (is_complete(handshake), handshake.found_reset) == (True, was_reset)
 
 
-def test_a_gateway_that_has_a_session_of_another_program_is_left_to_it() -> None:
+def test_a_reconnecting_host_takes_no_gateway_from_another_program() -> None:
     handshake = known(before=BEFORE)
     assert handshake.take_output() == ASKS_WHOSE
     with pytest.raises(LinkLostError, match="unity-link serve"):
         handshake.receive(FRAMING.checked(b"K0077"), 0.03)
 
 
-def test_an_opening_of_ones_own_whose_answer_was_lost_with_the_connection_is_no_other_program() -> None:
+def test_a_session_that_the_host_opened_unanswered_is_its_own() -> None:
     chosen = numbers()
     lost = chosen.next(0x7FFF)
     handshake = Handshake(None, chosen, 0.0, before=BEFORE)
     handshake.receive(PLAIN, 0.01)
     handshake.receive(CHECKED, 0.02)
     handshake.receive(FRAMING.checked(b"K%04X" % lost), 0.03)
-    # Whether it was reset before that is not known.
+    # The gateway may have been reset before the lost opening.
     assert handshake.found_reset
     handshake.receive(FRAMING.checked(b"K%03X%04X%04X" % (handshake.first, handshake.session, lost)), 0.04)
     assert is_complete(handshake)
 
 
-def test_who_does_not_say_whether_it_was_reset_is_asked_for_a_session_all_the_same() -> None:
+def test_a_gateway_that_answers_no_session_query_is_opened_all_the_same() -> None:
     handshake = known(before=BEFORE)
     for _ in range(RESET_TRIES):
         assert handshake.take_output() == ASKS_WHOSE
@@ -240,7 +240,7 @@ def test_who_does_not_say_whether_it_was_reset_is_asked_for_a_session_all_the_sa
 
 
 @pytest.mark.parametrize(("ended", "was_reset"), [(BEFORE, False), (0, True), (0x0077, True)])
-def test_a_session_that_did_not_end_the_one_before_tells_of_a_reset_in_between(ended: int, was_reset: bool) -> None:
+def test_an_opening_that_ended_another_session_reveals_a_reset(ended: int, was_reset: bool) -> None:
     handshake = known(before=BEFORE)
     handshake.take_output()
     handshake.receive(FRAMING.checked(b"K%04X" % BEFORE), 0.03)
@@ -249,7 +249,7 @@ def test_a_session_that_did_not_end_the_one_before_tells_of_a_reset_in_between(e
     assert (is_complete(handshake), handshake.found_reset) == (True, was_reset)
 
 
-def test_a_session_that_ended_one_which_was_asked_for_in_vain_tells_of_no_reset() -> None:
+def test_an_opening_that_ended_an_unanswered_opening_shows_no_reset() -> None:
     handshake = known(before=BEFORE)
     handshake.take_output()
     handshake.receive(FRAMING.checked(b"K%04X" % BEFORE), 0.03)
@@ -260,7 +260,7 @@ def test_a_session_that_ended_one_which_was_asked_for_in_vain_tells_of_no_reset(
     assert (is_complete(handshake), handshake.found_reset) == (True, False)
 
 
-def test_of_sessions_that_were_asked_for_the_last_alone_begins() -> None:
+def test_only_the_answer_to_the_last_opening_begins_a_session() -> None:
     handshake = known()
     for place in range(2):
         assert handshake.take_output() == asks_session(place)
@@ -274,7 +274,7 @@ def test_of_sessions_that_were_asked_for_the_last_alone_begins() -> None:
     assert handshake.session == 0x1238
 
 
-def test_a_late_answer_to_what_was_asked_before_is_no_damage_and_has_the_next_waited_for_longer() -> None:
+def test_a_late_answer_is_no_damage_and_lengthens_the_next_wait() -> None:
     handshake = known()
     handshake.take_output()
     handshake.expire(handshake.deadline)
@@ -286,7 +286,7 @@ def test_a_late_answer_to_what_was_asked_before_is_no_damage_and_has_the_next_wa
     assert handshake.deadline == pytest.approx(asked_at + 2 * (FIRST_TRY + 0.15))
 
 
-def test_numbers_of_sessions_are_never_0_one_of_the_last_or_one_that_damage_could_pass_for() -> None:
+def test_session_numbers_are_not_0_not_recent_and_safe_from_damage() -> None:
     small = SessionNumbers(itertools.count().__next__)
     drawn = [small.next(0x7F) for _ in range(1000)]
     assert set(drawn) == {*range(1, 0x80)} - {0x10}
@@ -305,20 +305,20 @@ def test_numbers_of_sessions_are_never_0_one_of_the_last_or_one_that_damage_coul
         (b"SSH-2.0-OpenSSH\r\n", "an SSH server answers there"),
     ],
 )
-def test_what_was_heard_is_told(heard: bytes, words: str) -> None:
+def test_the_error_describes_the_bytes_that_arrived(heard: bytes, words: str) -> None:
     handshake = asking()
     handshake.receive(heard, 0.01)
     assert handshake.describe().startswith(words)
 
 
-def test_the_end_of_a_connection_is_told_with_the_last_line_that_was_said() -> None:
+def test_the_error_for_a_lost_connection_quotes_the_last_line() -> None:
     handshake = asking()
     handshake.receive(b"go away\r\n", 0.01)
     assert handshake.describe_end(None) == 'the connection ended before the gateway answered: "go away"'
     assert "want a token?" in asking().describe_end(None)
 
 
-def test_an_answer_that_stands_in_one_line_with_the_echo_of_its_question_is_an_answer() -> None:
+def test_an_answer_in_one_line_with_an_echo_is_accepted() -> None:
     handshake = asking()
     handshake.receive(ASKS_PLAIN + PLAIN, 0.01)
     assert handshake.take_output() == ASKS_CHECKED
@@ -339,7 +339,7 @@ def test_an_echo_begins_no_session() -> None:
     assert handshake.echoes == 2
 
 
-def test_a_line_that_loses_is_named_where_some_questions_were_answered() -> None:
+def test_the_error_names_a_lossy_line_if_some_requests_were_answered() -> None:
     handshake = asking()
     handshake.receive(PLAIN, 0.01)
     for _ in range(2):
@@ -350,7 +350,7 @@ def test_a_line_that_loses_is_named_where_some_questions_were_answered() -> None
 
 
 @pytest.mark.parametrize("round_trip", [0.01, 0.3, 3.0])
-def test_a_medium_that_asks_sooner_connects_however_long_answers_take(round_trip: float) -> None:
+def test_a_medium_that_repeats_requests_early_connects_on_a_slow_path(round_trip: float) -> None:
     handshake, now = Handshake(None, numbers(), 0.0, longest_try=0.2), 0.0
     gateway = VirtualGateway(INFO)
     arriving: list[tuple[float, bytes]] = []
@@ -364,7 +364,7 @@ def test_a_medium_that_asks_sooner_connects_however_long_answers_take(round_trip
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_through_datagrams_of_which_many_are_lost_or_late_a_session_begins_within_five_seconds(seed: int) -> None:
+def test_a_session_opens_within_5_s_over_datagrams_with_many_losses(seed: int) -> None:
     towards, back = (Straying[bytes](seed + place, loss=0.2, late=0.1, double=0.1, latest=500) for place in (0, 100))
     handshake, gateway = Handshake(None, numbers(seed), 0.0, longest_try=udp.LONGEST_TRY), VirtualGateway(INFO)
     now = 0.0

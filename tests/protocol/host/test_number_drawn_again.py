@@ -1,7 +1,7 @@
-"""A host that was idle asks whether the session under way is its own before it sends its next request.
+"""A host that was idle checks that the open session is its own before it sends its next request.
 
-Another program may have drawn the number of the host's session again. Then every check is right, and a request of the
-idle host would be acknowledged as a repetition of a request that this host never sent.
+Another program may have opened a session with the same random number. All CRCs then match, and the gateway would
+acknowledge a request of the idle host as a repetition that it need not execute.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ if TYPE_CHECKING:
 RING = 256
 ADDRESS = 0x10
 IDLE = 10.0
-"""An instant at which the host has been idle for longer than `KEEP_ALIVE`."""
+"""Seconds since the last answer; longer than `KEEP_ALIVE`."""
 
 
 class Line:
-    """A session, its gateway and the line between them, on which frames can be lost by their number."""
+    """A session, its gateway and the line between them, which loses the frames with chosen numbers."""
 
     def __init__(self, *, resumes: bool = False) -> None:
         self.session = Session(None, lambda: 0, resumes=resumes)
@@ -57,7 +57,7 @@ class Line:
         self._count = 0
 
     def exchange(self, now: float) -> None:
-        """Carry frames in both directions until the host has no more to send."""
+        """Carry frames in both directions until the host has no more output."""
         while data := self.session.take_output():
             for frame in data.splitlines(keepends=True):
                 self.sent.append(frame)
@@ -71,7 +71,7 @@ class Line:
         return self._count - 1 not in self.lost
 
     def pass_time(self, now: float, until: float) -> None:
-        """Let time pass, up to an instant."""
+        """Let the session's deadlines expire until an instant."""
         while (deadline := self.session.deadline) is not None and deadline <= until:
             now = max(now, deadline)
             self.events += self.session.expire(now)
@@ -95,11 +95,11 @@ class Line:
         self.sent.clear()
 
     def ends(self) -> list[type]:
-        """Return the kinds of events about the session."""
+        """Return the types of the events about the session itself."""
         return [type(event) for event in self.events if isinstance(event, Interrupted | Taken | Opened | Unusable)]
 
     def draw_again(self, ahead: int) -> None:
-        """Have another program begin a session of the same number, whose next ID is so far ahead of the host's."""
+        """Have another program open a session with the host's number; its next ID is `ahead` after the host's."""
         number = self.session.codec.session
         self.gateway.begin(number % 100 + 1, 0)
         self.gateway.begin(number, self.session.window.next + ahead & RING - 1)
@@ -116,7 +116,7 @@ def heads(frames: list[bytes]) -> list[bytes]:
 
 @pytest.mark.parametrize("has_group", [False, True])
 @pytest.mark.parametrize("ahead", range(1, RING))
-def test_no_write_of_an_idle_host_acts_in_a_session_of_the_same_number(ahead: int, *, has_group: bool) -> None:
+def test_a_write_of_an_idle_host_acts_in_no_session_of_the_same_number(ahead: int, *, has_group: bool) -> None:
     line = Line()
     if has_group:
         line.hold_a_group()
@@ -147,7 +147,7 @@ def test_a_host_that_was_answered_within_a_second_sends_its_request_at_once() ->
     assert heads(line.sent) == [b"w00", b"w01", b"w02"]
 
 
-def test_a_ping_is_part_of_the_proof() -> None:
+def test_a_ping_is_answered_by_the_proof_of_the_session() -> None:
     line = Line()
     ping = line.submit(Confirmation(line.session.codec, of_session=True), IDLE)
     assert ping.done
@@ -155,7 +155,7 @@ def test_a_ping_is_part_of_the_proof() -> None:
 
 
 @pytest.mark.parametrize("lost", range(1 << 6))
-def test_a_proof_goes_on_whichever_of_its_frames_are_lost(lost: int) -> None:
+def test_a_proof_of_the_session_survives_the_loss_of_any_of_its_frames(lost: int) -> None:
     line = Line()
     line.lost = {place for place in range(6) if lost >> place & 1}
     write = line.submit(line.request("W", ADDRESS, 7), IDLE)
@@ -163,7 +163,7 @@ def test_a_proof_goes_on_whichever_of_its_frames_are_lost(lost: int) -> None:
     assert (line.ends(), write.done, write.error, line.bus.writes) == ([], True, None, [(ADDRESS, 7)])
 
 
-def test_a_host_that_holds_groups_proves_its_session_each_second() -> None:
+def test_a_host_with_groups_proves_its_session_each_second() -> None:
     line = Line()
     line.hold_a_group()
     line.pass_time(0.0, 2.5 * KEEP_ALIVE)
@@ -185,8 +185,8 @@ def test_requests_made_during_a_proof_wait_for_it() -> None:
     assert line.bus.writes == [(ADDRESS, 7)]
 
 
-def test_a_gateway_that_never_answers_n_is_left_to_another_program() -> None:
-    """The gateway has reported a gap already, and so answers no request that is ahead."""
+def test_a_host_without_an_answer_n_leaves_the_gateway_to_another_program() -> None:
+    """The gateway has already reported the gap, so it does not answer requests that are ahead."""
     line = Line()
     line.draw_again(RING // 4)
     number = line.session.codec.session
@@ -215,7 +215,7 @@ def test_an_n_outside_of_the_window_ends_a_busy_host(ahead: int) -> None:
 
 
 def sources(line: Line) -> list[Source]:
-    """Return requests of every kind: three that write, and two that read."""
+    """Return requests of every kind: three that write, two that read."""
     codec = line.session.codec
     words = np.arange(2)
     return [
@@ -243,7 +243,7 @@ def test_a_reset_that_a_proof_finds_ends_the_requests_that_waited(*, resumes: bo
     assert [source.done for source in waiting[3:] if isinstance(source, Request | WordBatch)] == [True, True]
 
 
-def test_a_write_made_on_a_line_that_is_gone_is_not_kept_for_the_next() -> None:
+def test_a_write_submitted_on_a_lost_line_is_not_kept_for_the_next() -> None:
     line = Line(resumes=True)
     write = line.request("W", ADDRESS, 7)
     line.events += line.session.submit(write, IDLE)
@@ -258,7 +258,7 @@ def test_a_write_made_on_a_line_that_is_gone_is_not_kept_for_the_next() -> None:
 
 @pytest.mark.parametrize("number_is_drawn_again", [False, True])
 @on_simulated_time
-async def test_on_a_pair_of_wires_a_proof_takes_its_turns(*, number_is_drawn_again: bool) -> None:
+async def test_a_proof_takes_its_turns_on_a_half_duplex_line(*, number_is_drawn_again: bool) -> None:
     gateway = VirtualGateway(PAIR)
     bus, pair = RecordedBus(gateway), SharedPair(gateway)
     async with unity_link.connect(pair) as link:

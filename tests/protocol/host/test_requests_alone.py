@@ -1,4 +1,4 @@
-"""A request that is alone goes, and is answered, by the shortest way: the same comes of it as by the long one."""
+"""A single outstanding request takes a shorter code path in each direction; the result is that of the long path."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ REPLY_DIGITS = {"R": 8, "RM": 24, "W": 0, "WS": None, "H": 3}
 
 
 class Side:
-    """A session and its gateway, by the shortest ways or without them."""
+    """A session and its gateway, with or without the shorter code paths."""
 
     def __init__(self, *, short: bool, info: GatewayInfo | None = None, takes_turns: bool = False) -> None:
         self.short = short
         self.session = Session(None, lambda: 0)
         self.gateway = VirtualGateway(GatewayInfo() if info is None else info)
         self.wire = self.sent = self.arriving = b""
-        """Bytes to be sent next, bytes sent, and bytes that have not been heard yet."""
+        """Bytes to be sent next, all bytes sent, and bytes that the session has not received yet."""
         self.events: Events = []
         self.session.connect(1.0, 0.003, takes_turns=takes_turns)
         while not self.session.is_open:
@@ -52,7 +52,7 @@ class Side:
         else:
             self.events += self.session.submit(request, now)
             if self.session.window.has_one_request():
-                # Nothing can follow it, so it is sent at once.
+                # The session can submit no other request before the answer, so flush at once.
                 self.wire += self.session.take_output()
 
     def hear(self, data: bytes, now: float) -> None:
@@ -77,7 +77,7 @@ class Side:
         elif step.what == "damage":
             self.arriving = self.arriving[:-4] + b"?" + self.arriving[-3:] if self.arriving else b""
         elif step.what == "hear":
-            # The first frame, all, or a part.
+            # The first frame, all frames, or a number of bytes.
             size = {0: self.arriving.find(b"\n") + 1, 1: len(self.arriving)}.get(step.number, step.number)
             piece, self.arriving = self.arriving[:size], self.arriving[size:]
             if piece:
@@ -117,14 +117,14 @@ steps = st.lists(
 
 
 LOSS = [Step("R", 0, 0.0), Step("lose", 0, 0.0), Step("expire", 0, 0.3), Step("send", 0, 0.0), Step("hear", 1, 0.0)]
-"""One request is lost, and sent again."""
+"""One request is lost and retransmitted."""
 
 
 @pytest.mark.slow
 @settings(max_examples=examples(300))
 @given(steps=steps, before=st.sampled_from([[], LOSS]))
 @pytest.mark.parametrize("credit", [None, 64], ids=["flow control", "credit"])
-def test_what_comes_of_requests_that_are_alone_is_what_comes_of_all(
+def test_the_short_code_paths_have_the_result_of_the_long_ones(
     steps: list[Step], before: list[Step], credit: int | None
 ) -> None:
     info = GatewayInfo() if credit is None else GatewayInfo(receive_fifo_bytes=credit, features=WITHOUT_FLOW_CONTROL)
@@ -137,31 +137,31 @@ def test_what_comes_of_requests_that_are_alone_is_what_comes_of_all(
         assert short.state() == long.state()
 
 
-def test_it_is_not_sent_ahead_of_what_waits_to_be_sent() -> None:
+def test_a_request_is_not_sent_alone_if_the_output_has_frames() -> None:
     side = Side(short=True)
     side.ask("R", 1.0)
     answer = side.gateway.receive(side.wire, 1.0)
     side.hear(answer[:-3] + b"?" + answer[-2:], 1.0)
-    # The repetition waits to be sent, and in the meantime the first answer comes after all.
+    # The retransmission is still in the output when the first answer arrives after all.
     side.hear(answer, 1.1)
     assert side.session.window.is_idle()
     assert side.session.output
     assert not side.session.submit_alone(side.request("R"), 1.1)
 
 
-def test_it_is_not_sent_ahead_of_what_waits_for_room() -> None:
+def test_a_request_is_not_sent_alone_if_others_wait_for_space() -> None:
     side = Side(short=True)
     side.session._waiting.append(side.request("W"))
     assert not side.session.submit_alone(side.request("R"), 1.0)
 
 
-def test_it_waits_for_its_turn() -> None:
+def test_a_request_is_not_sent_alone_without_a_turn() -> None:
     info = GatewayInfo(features=GatewayInfo().features | Feature.HALF_DUPLEX)
     side = Side(short=True, info=info, takes_turns=True)
     assert not side.session.submit_alone(side.request("R"), 1.0)
 
 
-def test_an_empty_frame_ends_it_on_a_line_that_has_just_lost_some() -> None:
+def test_an_empty_frame_follows_a_request_on_a_lossy_line() -> None:
     side = Side(short=True)
     for step in LOSS:
         side.do(step, 1.0 + step.seconds)
@@ -170,7 +170,7 @@ def test_an_empty_frame_ends_it_on_a_line_that_has_just_lost_some() -> None:
     assert side.session.submit_alone(side.request("R"), 1.9).endswith(b"\n\n")
 
 
-def test_its_answer_is_not_taken_from_behind_the_beginning_of_another_frame() -> None:
+def test_an_answer_after_an_incomplete_frame_is_not_taken_alone() -> None:
     side = Side(short=True)
     side.ask("R", 1.0)
     answer = side.gateway.receive(side.wire, 1.0)
@@ -178,7 +178,7 @@ def test_its_answer_is_not_taken_from_behind_the_beginning_of_another_frame() ->
     assert side.session.receive_alone(answer, 1.0) is None
 
 
-def test_posted_writes_behind_it_are_confirmed_when_its_answer_comes_late() -> None:
+def test_a_fence_follows_posted_writes_if_the_answer_before_them_is_late() -> None:
     short, long = Side(short=True), Side(short=False)
     for side in (short, long):
         for what, now in (("R", 1.0), ("WS", 1.0), ("send", 1.0), ("hear", 1.002), ("send", 1.002)):
@@ -188,7 +188,7 @@ def test_posted_writes_behind_it_are_confirmed_when_its_answer_comes_late() -> N
 
 
 @pytest.mark.parametrize("behind", ["R", "WS"])
-def test_what_waits_behind_an_answer_goes_with_it(behind: str) -> None:
+def test_waiting_requests_are_sent_when_an_answer_frees_space(behind: str) -> None:
     info = GatewayInfo(receive_fifo_bytes=20, features=WITHOUT_FLOW_CONTROL)
     short, long = Side(short=True, info=info), Side(short=False, info=info)
     for side in (short, long):

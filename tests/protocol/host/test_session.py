@@ -1,4 +1,4 @@
-"""The host's side of a link as a whole, and what becomes of its requests when it ends."""
+"""The host's side of a link as a whole, and the outcome of its requests when it ends."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
-    """Return a session that is open, and its gateway."""
+    """Return an open session and its gateway."""
     session, gateway = Session(None, lambda: 0, resumes=resumes), VirtualGateway()
     session.connect(0.0, 0.003)
     while not session.is_open:
@@ -34,7 +34,7 @@ def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
 
 
 def hold(session: Session, flags: GroupFlag = GroupFlag.PERIODIC) -> HeldGroup:
-    """Take a group of one word."""
+    """Hold a group of one word."""
     return session.groups.hold(session.codec.fields("GS", 0, int(flags), 1000, 1, [0x10])[2:], 12, None)
 
 
@@ -44,9 +44,7 @@ def outcome_of(request: Request) -> Outcome:
 
 
 @pytest.mark.parametrize("resumes", [False, True])
-def test_what_is_under_way_when_a_link_is_closed_is_perhaps_executed_also_where_it_would_be_sent_again(
-    *, resumes: bool
-) -> None:
+def test_the_outcome_of_a_read_in_flight_at_the_close_is_unknown(*, resumes: bool) -> None:
     session, _ = opened(resumes=resumes)
     read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
     session.submit(read, 0.0)
@@ -55,7 +53,7 @@ def test_what_is_under_way_when_a_link_is_closed_is_perhaps_executed_also_where_
     assert outcome_of(read) is Outcome.UNKNOWN
 
 
-def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_next_session_if_that_is_wanted() -> None:
+def test_a_resuming_session_answers_a_read_that_was_in_flight() -> None:
     session, gateway = opened(resumes=True)
     gateway.memory[0x10] = 42
     read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
@@ -69,7 +67,7 @@ def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_nex
     assert read.answer == 42
 
 
-def test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names() -> None:
+def test_a_refusal_of_a_damaged_request_does_not_cover_the_id_in_it() -> None:
     session, gateway = opened(resumes=False)
     first, second = (Request(session.codec, "W", session.codec.fields("W", 0x10, word), 0) for word in (1, 2))
     session.submit(first, 0.0)
@@ -88,9 +86,7 @@ def test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing
 
 @pytest.mark.parametrize("lost_after", range(7))
 @pytest.mark.parametrize("reset_after", [*range(12), None])
-def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_session_is_open(
-    reset_after: int | None, lost_after: int
-) -> None:
+def test_a_reset_during_a_reconnection_is_reported_before_the_session(reset_after: int | None, lost_after: int) -> None:
     session, gateway = opened(resumes=False)
     flags = GroupFlag.PERIODIC | GroupFlag.TIMESTAMP
     session.start(hold(session, flags), 0.0)
@@ -103,7 +99,7 @@ def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_sessio
         if turn == reset_after:
             gateway.reset()
         if turn == 12:
-            # Behind a session that is open, only an answer tells.
+            # An open session finds a reset only by an answer, so submit a request.
             session.submit(Confirmation(session.codec), now)
         events = session.receive(gateway.receive(session.take_output(), now), now)
         changes += [type(event) for event in events if isinstance(event, Interrupted | Opened)]
@@ -114,7 +110,7 @@ def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_sessio
         assert changes[-2] is Interrupted
 
 
-def test_a_reset_between_the_first_connection_and_the_second_is_told_also_where_there_are_no_groups() -> None:
+def test_a_reset_between_connections_is_reported_without_groups_too() -> None:
     session, gateway = opened(resumes=False)
     gateway.reset()
     session.disconnect("the line was lost")
@@ -128,7 +124,7 @@ def test_a_reset_between_the_first_connection_and_the_second_is_told_also_where_
 @pytest.mark.parametrize(
     "answer", [b"\nQ\r\n", b"Q" + GatewayInfo(groups=1).to_hex().replace(b"03", b"09", 1) + b"\r\n"]
 )
-def test_what_can_be_no_gateway_makes_the_connection_unusable(answer: bytes) -> None:
+def test_an_answer_that_no_gateway_sends_makes_the_connection_unusable(answer: bytes) -> None:
     session = Session(None, lambda: 0)
     session.connect(0.0, 0.003)
     events = [event for number in range(8) for event in session.receive(answer, 0.2 * number)]
@@ -138,7 +134,7 @@ def test_what_can_be_no_gateway_makes_the_connection_unusable(answer: bytes) -> 
     assert not session.is_open
 
 
-def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
+def test_an_answer_without_a_request_is_counted_once() -> None:
     session, _ = opened(resumes=False)
     session.receive(as_gateway(session.codec, b"r12300000000"), 0.0)
     assert session.counters.stray == 1
@@ -163,7 +159,7 @@ def test_a_plain_frame_is_no_answer_to_a_checked_request(body: bytes) -> None:
     assert session.counters.stray == 1
 
 
-def test_a_plain_sample_is_none_of_a_group_whose_samples_are_checked() -> None:
+def test_a_plain_sample_of_a_checked_group_is_ignored() -> None:
     session, _ = opened(resumes=False)
     held = hold(session)
     session.start(held, 0.0)
@@ -172,19 +168,19 @@ def test_a_plain_sample_is_none_of_a_group_whose_samples_are_checked() -> None:
     assert session.counters.stray == 1
 
 
-def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second() -> None:
+def test_the_longest_turn_on_an_unknown_line_is_below_a_second() -> None:
     session = Session(0, lambda: 0)
     session.connect(0.0, 0.003)
     assert 0.1 < session.longest_turn < 1
 
 
-def test_of_a_line_whose_bytes_take_long_it_is_said_that_an_answer_to_the_first_question_does() -> None:
+def test_the_longest_turn_on_a_slow_line_includes_the_time_of_bytes() -> None:
     session = Session(0, lambda: 0)
     session.connect(0.0, 0.003, byte_time=0.01)
     assert session.longest_turn == pytest.approx(2.66)
 
 
-def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
+def test_a_session_that_was_never_connected_is_idle() -> None:
     session = Session(0, lambda: 0)
     assert not session.is_owed_an_answer
     assert session.window.in_flight == 0
@@ -194,7 +190,7 @@ def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
     assert session.window.round_trip.smoothed is None
 
 
-def test_the_round_trip_is_measured_by_the_answers() -> None:
+def test_answers_measure_the_round_trip() -> None:
     session, gateway = opened(resumes=False)
     session.submit(Confirmation(session.codec), 1.0)
     session.receive(gateway.receive(session.take_output(), 1.0), 1.25)
@@ -202,7 +198,7 @@ def test_the_round_trip_is_measured_by_the_answers() -> None:
     assert 0 < session.window.round_trip.smoothed <= 0.25
 
 
-def test_a_gateway_that_is_silent_after_its_reset_makes_the_connection_unusable_after_a_stated_time() -> None:
+def test_silence_after_a_reset_makes_the_connection_unusable() -> None:
     session, gateway = opened(resumes=False)
     gateway.reset()
     session.submit(Confirmation(session.codec), 0.0)
@@ -218,7 +214,7 @@ def test_a_gateway_that_is_silent_after_its_reset_makes_the_connection_unusable_
     assert now >= LONGEST_SILENCE
 
 
-def test_a_damaged_line_end_that_makes_a_checked_answer_look_plain_is_damage() -> None:
+def test_a_checked_answer_made_plain_by_a_damaged_line_end_is_damaged() -> None:
     session, gateway = opened(resumes=False)
     session.submit(Confirmation(session.codec), 0.0)
     answer = gateway.receive(session.take_output(), 0.0)
@@ -226,7 +222,7 @@ def test_a_damaged_line_end_that_makes_a_checked_answer_look_plain_is_damage() -
     assert (session.counters.damaged, session.counters.stray) == (1, 0)
 
 
-def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_session() -> None:
+def test_a_probe_is_not_kept_for_the_next_session() -> None:
     session, gateway = opened(resumes=True)
     session.start(hold(session), 0.0)
     for _ in range(4):
@@ -241,7 +237,7 @@ def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_sessio
     assert b"h" not in session.take_output()
 
 
-def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_request_that_it_was_about() -> None:
+def test_the_error_of_a_refused_batch_names_the_refused_request() -> None:
     session, gateway = opened(resumes=False)
     codec, now = session.codec, 0.5
     batch = WordBatch(codec, "R", [(np.arange(0x10, 0x18), codec.info.address_digits)])
@@ -258,7 +254,7 @@ def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_r
 
 
 @pytest.mark.parametrize("answer", [b"X02\r\n", b"X03\r\n"])
-def test_a_plain_refusal_is_about_a_frame_in_which_damage_has_made_a_cr_and_gives_nothing_up(answer: bytes) -> None:
+def test_a_plain_refusal_gives_up_no_request(answer: bytes) -> None:
     session, gateway = opened(resumes=False)
     now = 1.0
     request = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
@@ -274,7 +270,7 @@ def test_a_plain_refusal_is_about_a_frame_in_which_damage_has_made_a_cr_and_give
     assert request.answer == 0
 
 
-def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence() -> None:
+def test_one_fence_confirms_several_posted_writes() -> None:
     session, _ = opened(resumes=False)
     codec = session.codec
     for value in range(8):
@@ -285,7 +281,7 @@ def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence()
     assert session.take_output()[:1] == b"h"
 
 
-def test_in_a_session_the_time_of_its_bytes_says_how_long_an_answer_may_take() -> None:
+def test_the_longest_turn_of_an_open_session_is_its_longest_answer() -> None:
     session, _ = opened(resumes=False)
     assert session.longest_turn == session.window.longest_answer
 
@@ -298,7 +294,7 @@ def test_in_a_session_the_time_of_its_bytes_says_how_long_an_answer_may_take() -
         ([None, UnansweredError("lost", Outcome.NOT_EXECUTED)], Outcome.UNKNOWN),
     ],
 )
-def test_of_requests_that_were_asked_for_together_it_is_said_what_has_become_of_all(
+def test_requests_submitted_together_have_a_common_outcome(
     ends: list[UnansweredError | None], outcome: Outcome
 ) -> None:
     session, _ = opened(resumes=False)
@@ -309,7 +305,7 @@ def test_of_requests_that_were_asked_for_together_it_is_said_what_has_become_of_
     assert common_outcome(requests) is outcome
 
 
-def test_of_a_connection_that_ends_too_soon_it_is_said_what_was_heard_of_the_gateway() -> None:
+def test_the_error_for_a_lost_connection_says_if_the_gateway_answered() -> None:
     session, _ = opened(resumes=False)
     assert "just answered" in str(session.connection_error(None))
     session.disconnect("the line was lost")
@@ -318,7 +314,7 @@ def test_of_a_connection_that_ends_too_soon_it_is_said_what_was_heard_of_the_gat
 
 
 @pytest.mark.parametrize(("answer", "is_heard"), [(b"r00000000007????\n", True), (b"", False)])
-def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, is_heard: bool) -> None:
+def test_a_gateway_with_only_damaged_answers_is_not_silent(answer: bytes, *, is_heard: bool) -> None:
     session, _ = opened(resumes=False)
     session.submit(Confirmation(session.codec), 0.0)
     told: Events = []
@@ -330,7 +326,7 @@ def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, 
 
 
 def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> tuple[float, Events]:
-    """Ask for a word, and hear something else again and again; return the time of the first event, and the events."""
+    """Submit a read, and receive other bytes again and again; return the time of the first events, and the events."""
     read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
     now = 0.0
     events = session.submit(read, now)
@@ -348,7 +344,7 @@ def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> 
 
 
 @pytest.mark.parametrize("kind", FLOODS)
-def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(kind: str) -> None:
+def test_a_flood_of_unintelligible_lines_is_reported_within_two_seconds(kind: str) -> None:
     session, _ = opened(resumes=False)
     now, events = read_until_unusable(session, FLOODS[kind])
     assert now < 2
@@ -357,7 +353,7 @@ def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(kind: st
     assert "only lines that are no answer arrive" in str(event.error)
 
 
-def test_a_request_of_which_every_answer_is_damaged_is_given_up_alone() -> None:
+def test_only_the_request_with_damaged_answers_is_given_up() -> None:
     session, _ = opened(resumes=False)
     read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
     now, events = 0.0, session.submit(read, 0.0)
@@ -372,7 +368,7 @@ def test_a_request_of_which_every_answer_is_damaged_is_given_up_alone() -> None:
     assert not any(isinstance(event, Unusable) for event in events)
 
 
-def test_noise_while_nothing_is_asked_for_ends_no_session() -> None:
+def test_noise_without_a_pending_request_ends_no_session() -> None:
     session, _ = opened(resumes=False)
     for second in range(10):
         assert not session.receive(b"a\n" * 100, float(second))
@@ -381,7 +377,7 @@ def test_noise_while_nothing_is_asked_for_ends_no_session() -> None:
 
 
 def next_frames(session: Session, now: float) -> list[bytes]:
-    """Let the time run out, and return the frames that are sent then."""
+    """Let the deadline expire, and return the frames that are sent then."""
     assert session.deadline is not None
     session.expire(max(now, session.deadline))
     if session.wants_turn:
@@ -391,7 +387,7 @@ def next_frames(session: Session, now: float) -> list[bytes]:
 
 @pytest.mark.parametrize("takes_turns", [False, True])
 @pytest.mark.parametrize("is_answered", [False, True])
-def test_on_a_pair_of_wires_the_question_for_the_session_goes_alone(*, is_answered: bool, takes_turns: bool) -> None:
+def test_a_session_query_is_sent_alone_on_a_half_duplex_line(*, is_answered: bool, takes_turns: bool) -> None:
     features = GatewayInfo().features | Feature.HALF_DUPLEX
     session, gateway = Session(None, lambda: 0), VirtualGateway(GatewayInfo(features=features))
     session.connect(0.0, 0.003, takes_turns=takes_turns)

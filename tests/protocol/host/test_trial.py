@@ -1,4 +1,4 @@
-"""The trial of the compact form has the bytes that lines change, in both directions, and executes no request."""
+"""The trial of the compact form: it has the bytes that lines change, in both directions, and executes no request."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ WIDTHS = [
     for bits, polynomial in ((8, 0x07), (16, 0x1021), (32, 0x04C11DB7))
 ]
 CHANGED = {0x00, 0x11, 0x13, 0xFF, ESCAPE, START, END}
-"""Bytes that lines change, and those of the form: these have the highest bit."""
+"""Bytes that some lines change, and the reserved bytes of the compact form (with the highest bit set)."""
 SESSION = 0x35
 
 
@@ -31,7 +31,7 @@ def trial_of(info: GatewayInfo, *, takes_turns: bool = False) -> Trial:
 
 
 def answers_of(info: GatewayInfo, *, fails: bool) -> bytes:
-    """Return the answers to a trial; if `fails`, the gateway has kept an error for each ID."""
+    """Return the answers to a trial; if `fails`, the gateway has an error stored for each ID."""
     codec, packer = HostCodec(info), Packer(CompactForm.of(info, from_gateway=True))
     zeros = b"0" * info.id_digits
     bodies = [
@@ -56,7 +56,7 @@ def test_requests_and_either_kind_of_answer_have_the_bytes_that_lines_change(inf
 
 
 @pytest.mark.parametrize("digits", [2, 3])
-def test_each_request_is_behind_the_first_id_of_its_session(digits: int) -> None:
+def test_each_request_of_a_trial_is_before_the_first_id_of_its_session(digits: int) -> None:
     ring = 16**digits
     for first in FIRST_IDS[digits]:
         assert all((number - first) % ring >= ring // 2 for number in IDS[digits])
@@ -65,10 +65,10 @@ def test_each_request_is_behind_the_first_id_of_its_session(digits: int) -> None
 
 
 @pytest.mark.parametrize("kind", ["sim", RTL])
-def test_a_gateway_executes_nothing_of_a_trial_and_keeps_its_order(kind: str) -> None:
+def test_a_gateway_executes_no_request_of_a_trial_and_keeps_its_next_id(kind: str) -> None:
     gateway = with_failing((compiled if kind == "rtl" else simulated)(**COMPACT))
     info, codec = gateway.info, HostCodec(gateway.info)
-    # Errors that an earlier session has left, for half of the IDs.
+    # An earlier session has left errors for half of the IDs.
     for number, place in enumerate(IDS[3]):
         gateway.receive(codec.framing.checked(codec.opening(place, 1 + number)), 0.0)
         address = BUS_ERROR if number % 2 else 0
@@ -97,7 +97,7 @@ def test_a_gateway_executes_nothing_of_a_trial_and_keeps_its_order(kind: str) ->
     ],
     ids=["half duplex", "turns", "small receive FIFO"],
 )
-def test_where_the_gateway_takes_no_more_at_once_one_request_is_tried(info: GatewayInfo, *, takes_turns: bool) -> None:
+def test_a_gateway_that_takes_one_request_at_a_time_is_tried_with_one(info: GatewayInfo, *, takes_turns: bool) -> None:
     trial = trial_of(info, takes_turns=takes_turns)
     assert trial.frames().count(START) == 1
     at = IDS[3].index(ID_ALONE[3])
@@ -106,7 +106,7 @@ def test_where_the_gateway_takes_no_more_at_once_one_request_is_tried(info: Gate
     assert trial.has_passed
 
 
-def test_what_was_not_answered_is_sent_again_when_all_answers_have_come() -> None:
+def test_unanswered_requests_of_a_trial_are_repeated_after_the_last_answer() -> None:
     info = WIDTHS[4]
     trial, all_frames = trial_of(info), trial_of(info).frames()
     assert trial.frames() == all_frames
@@ -131,11 +131,11 @@ class Opening:
             self.answer(0.001 * (step + 1))
 
     def answer(self, now: float) -> None:
-        """Answer the output of the handshake."""
+        """Pass the output of the handshake to the gateway, and its answer back."""
         self.handshake.receive(self.gateway.receive(self.handshake.take_output(), now), now)
 
 
-def test_a_session_in_compact_form_begins_when_the_trial_has_passed() -> None:
+def test_a_session_in_compact_form_begins_after_the_trial() -> None:
     opening = Opening()
     assert opening.handshake.state is State.TRYING
     opening.answer(0.01)
@@ -144,13 +144,13 @@ def test_a_session_in_compact_form_begins_when_the_trial_has_passed() -> None:
     assert opening.gateway.expected == opening.handshake.first
 
 
-def test_a_line_that_is_known_to_carry_each_byte_is_not_tried() -> None:
+def test_a_line_known_to_carry_all_bytes_is_not_tried() -> None:
     handshake = Opening(is_transparent=True).handshake
     assert (handshake.complete, handshake.compact) == (True, True)
     assert not handshake.asks
 
 
-def test_where_no_trial_passes_another_session_begins_whose_frames_are_text() -> None:
+def test_a_session_in_text_begins_if_no_trial_passes() -> None:
     opening = Opening()
     handshake, tried = opening.handshake, opening.handshake.session
     for number in range(TRIALS):
@@ -166,7 +166,7 @@ def test_where_no_trial_passes_another_session_begins_whose_frames_are_text() ->
     assert (opening.gateway.session, opening.gateway.expected) == (handshake.session, handshake.first)
 
 
-def test_a_damaged_trial_is_sent_again_at_once_and_one_without_answers_when_they_are_late() -> None:
+def test_a_damaged_trial_is_repeated_sooner_than_an_unanswered_one() -> None:
     opening = Opening()
     handshake = opening.handshake
     assert handshake.deadline > 0.003 + FIRST_TRY

@@ -1,4 +1,4 @@
-"""The constants of the host stand in one table, which needs nothing installed and is the same in every language."""
+"""The constants of the host are in one table, which needs no installed package and is the same in every language."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from unity_link.spec import compile_text
 DOCUMENT = Path(__file__).parents[3] / "docs" / "reliability.md"
 
 
-def test_the_table_needs_nothing_installed() -> None:
+def test_the_table_needs_no_installed_package() -> None:
     path = str(Path(constants.__file__))
     subprocess.run([sys.executable, "-I", "-S", "-W", "error", path], check=True, cwd="/")
 
 
-def test_the_window_has_no_number_of_its_own() -> None:
+def test_all_constants_of_the_window_are_in_the_table() -> None:
     numbers = {name: value for name, value in vars(window).items() if type(value) in {int, float}}
-    # No number of the line, but the place of none.
+    # NEVER marks "no position"; it is not a constant of the protocol.
     assert numbers.pop("NEVER") == -1
     assert numbers.items() <= constants.TABLE.items()
 
@@ -34,7 +34,7 @@ def test_the_documents_have_the_table() -> None:
     assert {name: float(value) for name, value in rows} == constants.TABLE
 
 
-def test_a_latency_timer_of_a_usb_chip_is_waited_for() -> None:
+def test_the_shortest_timeout_exceeds_the_latency_timer_of_usb_chips() -> None:
     assert constants.SHORTEST_TIMEOUT > 0.016
 
 

@@ -1,6 +1,6 @@
-"""The window row by row of the table in its docstring, and as a whole against a gateway that follows docs/protocol.md.
+"""The window: each row of the table in its docstring, and the whole against a gateway that follows docs/protocol.md.
 
-Times are given to the window, so nothing here waits. Requests stand for themselves by name.
+The tests pass the time to the window, so no test waits. Requests are represented by their names.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ SIZE, REPLY = 8, 14
 
 
 class Named(Run):
-    """A run with a name and a state, for the tests to tell them apart."""
+    """A run with a name and a state, so that tests can identify it."""
 
     __slots__ = ("name",)
 
@@ -40,14 +40,14 @@ class Named(Run):
 
 
 class Confirming(Named):
-    """An ``h``."""
+    """A fence (``h``)."""
 
     __slots__ = ()
     is_fence = True
 
 
 class Asked(Named):
-    """Posted writes that are asked for."""
+    """Posted writes whose outcomes the host requests one by one."""
 
     __slots__ = ("asked",)
     is_question = True
@@ -59,7 +59,7 @@ class Asked(Named):
 
 
 def named(name: str) -> Named:
-    """Return a request; a name that begins with ``p`` is that of a posted write, ``h`` that of what confirms them."""
+    """Return a request; a name with ``p`` first is a posted write, one with ``h`` first a fence."""
     if name.startswith("h"):
         return Confirming(name)
     return Named(name, reply_size=0 if name.startswith("p") else REPLY)
@@ -74,7 +74,7 @@ def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
 
 
 def repeated(window: Window[Named]) -> str:
-    """Return what the window sends again, and nothing where it does not want to; `K` ahead where it went back."""
+    """Return the names of the requests that the window retransmits now; `K` comes first if it goes back."""
     if not window.retransmission.is_due():
         return ""
     sent = []
@@ -89,13 +89,13 @@ def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
     return [(part.run.name, part.outcome is Outcome.EXECUTED) for part in parts]
 
 
-def test_one_request_is_alone_also_at_the_end_of_the_ring() -> None:
+def test_one_request_is_alone_at_the_end_of_the_sequence_space_too() -> None:
     window: Window[Named] = Window(RING, RING - 1)
     sent(window, "a")
     assert window.has_one_request()
 
 
-def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -> None:
+def test_the_window_is_not_quiet_while_retransmissions_are_due() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b", "c")
     window.damaged(1.0)
@@ -111,7 +111,7 @@ def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -
 # The rows of the table
 
 
-def test_a_response_moves_the_oldest_mark_behind_it() -> None:
+def test_a_response_advances_the_oldest_unanswered_id() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b")
     window.answered(0, 1, now=0.001)
@@ -119,7 +119,7 @@ def test_a_response_moves_the_oldest_mark_behind_it() -> None:
     assert repeated(window) == ""
 
 
-def test_a_response_that_skips_one_has_that_alone_sent_again() -> None:
+def test_a_response_that_skips_a_request_retransmits_only_that_request() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b", "c")
     room = window.room(SIZE)
@@ -129,7 +129,7 @@ def test_a_response_that_skips_one_has_that_alone_sent_again() -> None:
     assert window.room(SIZE) == room
 
 
-def test_the_answer_to_a_repetition_says_what_was_lost_of_that_sent_before_it() -> None:
+def test_the_answer_to_a_retransmission_reveals_earlier_losses() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcdef")
     window.answered(1, 1, now=0.001)
@@ -141,7 +141,7 @@ def test_the_answer_to_a_repetition_says_what_was_lost_of_that_sent_before_it() 
     assert repeated(window) == "K c@2 e@4 f@5 g@6"
 
 
-def test_what_was_sent_behind_a_repetition_is_not_taken_for_lost_by_its_answer() -> None:
+def test_requests_sent_after_a_retransmission_are_not_lost_by_its_answer() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abc")
     window.answered(2, 1, now=0.001)
@@ -154,7 +154,7 @@ def test_what_was_sent_behind_a_repetition_is_not_taken_for_lost_by_its_answer()
     assert repeated(window) == "d@3"
 
 
-def test_a_repetition_that_was_lost_is_shown_by_the_answer_to_what_was_sent_behind_it() -> None:
+def test_the_answer_to_a_later_request_reveals_a_lost_retransmission() -> None:
     window: Window[Named] = Window(RING, round_trip=1.0)
     sent(window, *"abc")
     window.answered(1, 1, now=0.001)
@@ -166,7 +166,7 @@ def test_a_repetition_that_was_lost_is_shown_by_the_answer_to_what_was_sent_behi
     assert repeated(window) == "a@0"
 
 
-def test_each_damaged_answer_has_one_more_sent_again_and_one_more_than_there_are_has_it_go_back() -> None:
+def test_each_damaged_answer_retransmits_one_request_then_goes_back() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abcd")
     room = window.room(SIZE)
@@ -182,7 +182,7 @@ def test_each_damaged_answer_has_one_more_sent_again_and_one_more_than_there_are
     assert repeated(window) == "K a@0 b@1 c@2 d@3"
 
 
-def test_the_answer_to_what_was_perhaps_lost_may_be_the_first_and_says_nothing_of_the_others() -> None:
+def test_an_answer_to_a_first_transmission_reveals_no_other_loss() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abc")
     window.answer_damaged(now=0.001)
@@ -200,7 +200,7 @@ def test_a_damaged_request_while_an_answer_is_missing_goes_back() -> None:
     assert repeated(window) == "K a@0 c@2"
 
 
-def test_a_damaged_request_while_nothing_is_repeated_is_one_that_was_not_executed() -> None:
+def test_a_damaged_request_goes_back_to_all_that_may_be_unexecuted() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abcd")
     window.answer_damaged(now=0.001)
@@ -209,7 +209,7 @@ def test_a_damaged_request_while_nothing_is_repeated_is_one_that_was_not_execute
     assert repeated(window) == "K a@0 c@2 d@3"
 
 
-def test_a_damaged_request_behind_the_answer_to_a_repetition_is_another() -> None:
+def test_a_damaged_request_after_an_answered_retransmission_goes_back() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abcd")
     window.answered(2, 1, now=0.001)
@@ -219,7 +219,7 @@ def test_a_damaged_request_behind_the_answer_to_a_repetition_is_another() -> Non
     assert repeated(window) == "K a@0 d@3"
 
 
-def test_no_further_sign_is_taken_before_something_is_answered_that_was_sent_since() -> None:
+def test_signs_of_loss_are_ignored_until_a_later_frame_is_answered() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcd")
     window.damaged(now=0.001)
@@ -228,7 +228,7 @@ def test_no_further_sign_is_taken_before_something_is_answered_that_was_sent_sin
         sign(now=0.002)
     window.out_of_sequence(0, now=0.002)
     assert repeated(window) == ""
-    # Perhaps the answer to what was sent first.
+    # This may be the answer to the first transmission.
     window.answered(1, 1, now=0.003)
     window.damaged(now=0.003)
     assert repeated(window) == ""
@@ -237,7 +237,7 @@ def test_no_further_sign_is_taken_before_something_is_answered_that_was_sent_sin
     assert repeated(window) == "K a@0 c@2 d@3"
 
 
-def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sign_is_about_it() -> None:
+def test_a_sign_of_loss_after_the_answer_to_k_goes_back_again() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
     window.damaged(now=0.001)
@@ -248,7 +248,7 @@ def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sig
     assert repeated(window) == "K a@0 b@1"
 
 
-def test_the_answer_to_a_question_has_sent_again_what_was_sent_before_it_and_is_not_answered() -> None:
+def test_the_answer_to_k_retransmits_unanswered_requests_before_it() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
     window.retransmission.query_sent()
@@ -257,14 +257,14 @@ def test_the_answer_to_a_question_has_sent_again_what_was_sent_before_it_and_is_
     assert repeated(window) == "K a@0 b@1 c@2"
 
 
-def test_an_answer_to_nothing_that_was_asked_says_nothing() -> None:
+def test_an_answer_to_k_without_a_query_is_ignored() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
     window.query_answered(now=0.001)
     assert repeated(window) == ""
 
 
-def test_where_the_time_has_run_out_the_next_answer_is_that_to_the_last_question() -> None:
+def test_the_next_answer_to_k_after_a_time_out_is_for_the_last_query() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
     window.damaged(now=0.001)
@@ -277,7 +277,7 @@ def test_where_the_time_has_run_out_the_next_answer_is_that_to_the_last_question
     assert repeated(window) == "K a@0 b@1"
 
 
-def test_a_gap_behind_what_was_sent_again_is_another_loss() -> None:
+def test_a_gap_after_a_retransmission_is_another_loss() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abc")
     window.out_of_sequence(0, now=0.001)
@@ -286,14 +286,14 @@ def test_a_gap_behind_what_was_sent_again_is_another_loss() -> None:
     assert repeated(window) == "K a@0 b@1 c@2"
 
 
-def test_a_damaged_answer_has_posted_writes_sent_again_up_to_a_request_that_is_answered() -> None:
+def test_a_damaged_answer_retransmits_posted_writes_and_the_next_request() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "a", "p", "b")
     window.answer_damaged(now=0.001)
     assert repeated(window) == "p@0 p@1 a@2"
 
 
-def test_a_stale_response_finds_nobody() -> None:
+def test_a_stale_response_matches_no_request() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     window.answered(0, 1, now=0.001)
@@ -303,7 +303,7 @@ def test_a_stale_response_finds_nobody() -> None:
         window.answered(0, 1, now=0.002)
 
 
-def test_out_of_sequence_goes_back_and_tells_what_was_executed() -> None:
+def test_out_of_sequence_goes_back_and_reveals_the_executed_requests() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b", "c")
     window.out_of_sequence(1, now=0.001)
@@ -330,14 +330,14 @@ def test_only_an_id_from_executed_to_next_can_be_expected(expected: int, *, is_p
         assert (window.oldest, window.executed) == (0, 2)
 
 
-def test_damage_goes_back() -> None:
+def test_a_damaged_request_goes_back() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b")
     window.damaged(now=0.001)
     assert repeated(window) == "K a@0 b@1"
 
 
-def test_it_goes_back_once_for_a_gap_until_something_new_is_confirmed() -> None:
+def test_the_window_goes_back_once_for_a_gap_until_a_new_answer() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, "a", "b", "c")
     window.damaged(now=0.001)
@@ -351,7 +351,7 @@ def test_it_goes_back_once_for_a_gap_until_something_new_is_confirmed() -> None:
     assert repeated(window) == "K b@1 c@2"
 
 
-def test_signs_about_the_same_request_are_left_to_the_time_in_the_end() -> None:
+def test_repeated_signs_of_loss_about_a_request_are_left_to_the_time_out() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     taken = 0
@@ -362,7 +362,7 @@ def test_signs_about_the_same_request_are_left_to_the_time_in_the_end() -> None:
     assert taken == module.MOST_SIGNS
 
 
-def test_many_signs_that_arrive_together_are_one() -> None:
+def test_many_signs_of_loss_that_arrive_together_count_once() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcdefghijklmnopqrstuvwxyz")
     for _ in range(100):
@@ -370,7 +370,7 @@ def test_many_signs_that_arrive_together_are_one() -> None:
     assert len(repeated(window).split()) == 1 + 26
 
 
-def test_it_goes_back_again_when_the_time_has_run_out() -> None:
+def test_the_window_goes_back_again_after_a_time_out() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     window.damaged(now=0.001)
@@ -380,7 +380,7 @@ def test_it_goes_back_again_when_the_time_has_run_out() -> None:
     assert repeated(window) == "K a@0"
 
 
-def test_a_refusal_goes_back_and_the_third_one_gives_the_oldest_up() -> None:
+def test_a_refusal_goes_back_and_the_last_allowed_one_gives_up() -> None:
     window: Window[Named] = Window(RING)
     a, _ = sent(window, "a", "b")
     for _ in range(module.MOST_REFUSALS - 1):
@@ -399,7 +399,7 @@ def test_refusals_of_different_requests_do_not_add_up() -> None:
         window.answered(number, 1, now=0.0)
 
 
-def test_a_refusal_while_an_answer_is_missing_is_about_nobody() -> None:
+def test_a_refusal_while_an_answer_is_missing_is_ignored() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b", "c")
     window.answered(1, 1, now=0.0)
@@ -407,14 +407,14 @@ def test_a_refusal_while_an_answer_is_missing_is_about_nobody() -> None:
         assert window.refused(now=0.0) is None
 
 
-def test_a_refusal_of_nothing_is_noise() -> None:
+def test_a_refusal_without_a_request_is_ignored() -> None:
     window: Window[Named] = Window(RING)
     assert window.refused(now=0.0) is None
     window.damaged(now=0.0)
     assert repeated(window) == ""
 
 
-def test_silence_goes_back_with_twice_the_time_each_time_and_then_is_lost() -> None:
+def test_silence_goes_back_with_a_doubled_time_out_until_the_line_is_lost() -> None:
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a")
     now, pauses = 0.0, []
@@ -429,7 +429,7 @@ def test_silence_goes_back_with_twice_the_time_each_time_and_then_is_lost() -> N
         assert second == pytest.approx(min(2 * first, module.LONGEST_TIMEOUT))
 
 
-def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares_no_better() -> None:
+def test_damage_alone_gives_up_a_request_then_the_line_is_lost() -> None:
     window: Window[Named] = Window(RING, round_trip=0.02)
     a, _ = sent(window, "a", "b")
     given_up, tries = [], 0
@@ -446,7 +446,7 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
 
 
 @pytest.mark.parametrize("late", [0.001, 0.02, 3.0])
-def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(late: float) -> None:
+def test_a_request_with_damaged_answers_is_given_up_on_a_slow_path_too(late: float) -> None:
     window: Window[Named] = Window(RING, round_trip=0.02, byte_time=0.001)
     (a,) = sent(window, "a")
     given_up, now, tries = None, 0.0, 0
@@ -465,7 +465,7 @@ def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(lat
     assert given_up is a
 
 
-def test_news_after_a_request_was_given_up_begins_anew() -> None:
+def test_an_answer_after_a_given_up_request_resets_the_count_of_tries() -> None:
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a", "b")
     for _ in range(2):
@@ -479,7 +479,7 @@ def test_news_after_a_request_was_given_up_begins_anew() -> None:
     assert window.in_flight == 0
 
 
-def test_what_is_sent_behind_a_request_gives_it_no_more_time_also_where_ids_begin_anew() -> None:
+def test_a_later_request_does_not_extend_the_deadline_of_an_earlier_one() -> None:
     window: Window[Named] = Window(RING, first=RING - 1, round_trip=0.01)
     sent(window, "a")
     deadline = window.deadline
@@ -487,7 +487,7 @@ def test_what_is_sent_behind_a_request_gives_it_no_more_time_also_where_ids_begi
     assert window.deadline == deadline
 
 
-def test_a_time_out_that_comes_too_early_is_nothing() -> None:
+def test_a_time_out_before_the_deadline_is_ignored() -> None:
     window: Window[Named] = Window(RING)
     assert window.deadline is None
     assert window.expire(1e9) is None
@@ -496,7 +496,7 @@ def test_a_time_out_that_comes_too_early_is_nothing() -> None:
     assert repeated(window) == ""
 
 
-def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> None:
+def test_time_outs_of_requests_that_are_answered_later_do_not_add_up() -> None:
     window: Window[Named] = Window(RING)
     now = 0.0
     for number in range(3 * module.MOST_TRIES):
@@ -511,13 +511,13 @@ def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> 
         assert not window.loss.lost
 
 
-def test_of_refusals_that_come_before_the_repetition_can_have_arrived_two_count() -> None:
+def test_refusals_before_a_retransmission_can_arrive_give_up_nothing() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, "a")
     assert [window.refused(now=0.0) for _ in range(2 * module.MOST_REFUSALS)] == [None] * 2 * module.MOST_REFUSALS
 
 
-def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
+def test_a_posted_write_that_is_given_up_is_no_longer_posted() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     posted, _ = sent(window, "p", "a")
     given_up, now = None, 0.0
@@ -530,7 +530,7 @@ def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
     assert not posted.posted
 
 
-def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
+def test_an_answer_resets_the_count_of_tries() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     now, tries = 0.0, []
     for number in range(3):
@@ -549,7 +549,7 @@ def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
     assert tries == [module.MOST_TRIES + 1] * 3
 
 
-def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() -> None:
+def test_a_damaged_answer_after_a_time_out_undoes_the_backoff() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
     sent(window, *"abc")
     window.expire(now=0.1)
@@ -562,7 +562,7 @@ def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() ->
 
 
 @pytest.mark.parametrize("first", [0, RING - 2])
-def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again(first: int) -> None:
+def test_a_request_answered_before_its_retransmission_is_not_retransmitted(first: int) -> None:
     window: Window[Named] = Window(RING, first=first)
     sent(window, *"abcd")
     window.out_of_sequence(first, now=0.001)
@@ -572,12 +572,12 @@ def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again(first:
     assert repeated(window) == f"K c@{third} d@{third + 1}"
 
 
-def test_the_answer_to_what_was_sent_once_undoes_the_doubling_of_the_time_out() -> None:
+def test_the_answer_to_a_request_sent_once_undoes_the_backoff() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
     sent(window, "a")
     window.expire(now=0.1)
     assert repeated(window) == "K a@0"
-    # The round trip of the first of these is measured, and that of no other.
+    # Only the round trip of the first of these is measured.
     sent(window, "b", "c", now=0.15)
     window.answered(2, 1, now=0.16)
     repeated(window)
@@ -585,7 +585,7 @@ def test_the_answer_to_what_was_sent_once_undoes_the_doubling_of_the_time_out() 
 
 
 @pytest.mark.parametrize("messages", range(2, 9))
-def test_where_a_fifo_can_overflow_posted_writes_leave_room_in_it_for_their_fence(messages: int) -> None:
+def test_posted_writes_leave_space_for_their_fence_in_a_limited_fifo(messages: int) -> None:
     window: Window[Named] = Window(RING, byte_limit=messages * SIZE)
     assert (window.room(SIZE), window.room(SIZE, posted=True)) == (messages, messages - 1)
 
@@ -594,17 +594,17 @@ def test_where_a_fifo_can_overflow_posted_writes_leave_room_in_it_for_their_fenc
 
 
 def never_executed(window: Window[Named], refused: int) -> str:
-    """Return the names of the requests that are not executed for sure if the gateway had no session for one."""
+    """Return the names of the requests that were certainly not executed if the gateway refused one (no session)."""
     return "".join(part.run.name for part in window.unanswered(refused) if part.outcome is Outcome.NOT_EXECUTED)
 
 
-def test_of_requests_sent_once_that_which_a_reset_gateway_refuses_and_those_behind_it_were_not_executed() -> None:
+def test_a_reset_gateway_has_not_executed_the_refused_and_later_requests() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abcd")
     assert never_executed(window, 1) == "bcd"
 
 
-def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
+def test_requests_sent_before_a_refused_retransmission_may_be_executed() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"abc")
     window.answered(1, 1, now=0.001)
@@ -614,7 +614,7 @@ def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have
     assert never_executed(window, 2) == "cde"
 
 
-def test_what_a_reset_gateway_refuses_before_the_ring_begins_anew_is_told_from_what_was_sent_behind_it() -> None:
+def test_a_refusal_by_a_reset_gateway_is_matched_across_the_wrap_of_ids() -> None:
     window: Window[Named] = Window(RING, first=RING - 2)
     sent(window, *"abc")
     window.answered(RING - 1, 1, now=0.001)
@@ -623,7 +623,7 @@ def test_what_a_reset_gateway_refuses_before_the_ring_begins_anew_is_told_from_w
     assert never_executed(window, RING - 2) == "de"
 
 
-def test_the_longest_answer_counts_the_bytes_under_way_and_those_of_the_answer_to_the_oldest() -> None:
+def test_the_longest_answer_counts_bytes_in_flight_and_of_its_response() -> None:
     window: Window[Named] = Window(RING, byte_time=0.001)
     idle = window.longest_answer
     sent(window, "a")
@@ -633,7 +633,7 @@ def test_the_longest_answer_counts_the_bytes_under_way_and_those_of_the_answer_t
 # Runs of many
 
 
-def test_the_answers_to_a_run_say_nothing_of_what_was_sent_behind_it() -> None:
+def test_the_answers_to_a_run_reveal_no_loss_of_later_requests() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     window.send(Named("m", count=3), 0.0)
@@ -652,7 +652,7 @@ def test_a_run_may_be_answered_in_parts() -> None:
     assert window.in_flight == 0
 
 
-def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_close_the_window() -> None:
+def test_answers_to_known_and_unknown_executed_parts_empty_the_window() -> None:
     window: Window[Named] = Window(RING, byte_limit=1000)
     window.send(Named("m", count=100), 0.0)
     window.out_of_sequence(50, now=0.001)
@@ -663,7 +663,7 @@ def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_clos
 
 
 @pytest.mark.parametrize("first", [0, 200])
-def test_the_parts_of_a_run_that_wait_are_those_that_are_not_answered(first: int) -> None:
+def test_the_unanswered_parts_of_a_run_are_those_without_an_answer(first: int) -> None:
     window: Window[Named] = Window(RING)
     for start in range(0, first, 100):
         window.send(Named("x", count=100), 0.0)
@@ -675,7 +675,7 @@ def test_the_parts_of_a_run_that_wait_are_those_that_are_not_answered(first: int
     assert [*window.parts(first, first + 30 & 255)] == [(first, run, 0, 30)]
 
 
-def test_a_run_goes_round_the_ring() -> None:
+def test_a_run_wraps_around_the_sequence_space() -> None:
     window: Window[Named] = Window(RING)
     for start in range(0, 1000, 100):
         window.send(run := Named("m", count=100), 0.0)
@@ -691,7 +691,7 @@ def test_a_run_goes_round_the_ring() -> None:
 
 
 @pytest.mark.parametrize("ring", [256, 4096])
-def test_at_most_half_the_ring_is_unconfirmed(ring: int) -> None:
+def test_at_most_half_the_sequence_space_is_unconfirmed(ring: int) -> None:
     window: Window[Named] = Window(ring)
     assert window.room(SIZE) == ring // 2
     window.send(Named("m", count=ring // 2), 0.0)
@@ -707,7 +707,7 @@ def test_unconfirmed_bytes_stay_below_the_receive_fifo() -> None:
     assert window.room(SIZE) == 1
 
 
-def test_a_skipped_answer_gives_the_bytes_of_its_request_back() -> None:
+def test_a_skipped_answer_frees_the_bytes_of_its_request() -> None:
     window: Window[Named] = Window(RING, byte_limit=10 * SIZE)
     sent(window, *"abcdefghij")
     window.answered(8, 1, now=0.0)
@@ -723,7 +723,7 @@ def test_a_request_longer_than_the_receive_fifo_goes_alone() -> None:
     assert window.room(100) == 0
 
 
-def test_a_place_is_left_for_the_fence_of_posted_writes() -> None:
+def test_one_id_is_left_for_the_fence_of_posted_writes() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *["p"] * 126)
     assert window.room(SIZE, posted=True) == window.room(SIZE) == 1
@@ -733,7 +733,7 @@ def test_a_place_is_left_for_the_fence_of_posted_writes() -> None:
     assert window.in_flight == RING // 2
 
 
-def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -> None:
+def test_losses_reduce_the_send_limit_and_answers_raise_it() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ABCDEFGHIJKLMNOPQRSTUVWXYZ")
     window.damaged(now=0.0)
@@ -745,7 +745,7 @@ def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -
     assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
 
-def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> None:
+def test_posted_writes_confirmed_by_a_fence_raise_the_send_limit() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *["p"] * 25, "h")
     window.damaged(now=0.0)
@@ -755,7 +755,7 @@ def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> 
     assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
 
-def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_with_answers() -> None:
+def test_retransmissions_obey_the_reduced_send_limit() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     run = Named("m", count=100)
     window.send(run, 0.0)
@@ -771,7 +771,7 @@ def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_
     assert window.room(SIZE) > 0
 
 
-def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
+def test_retransmissions_continue_to_a_request_with_an_answer() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *["p"] * 30, "a", "b")
     again = ""
@@ -782,7 +782,7 @@ def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
     assert again == " ".join(["K", *(f"p@{number}" for number in range(30)), "a@30"])
 
 
-def test_room_at_most_follows_the_smaller_window_and_the_receive_fifo() -> None:
+def test_most_room_follows_the_send_limit_and_the_receive_fifo() -> None:
     window: Window[Named] = Window(RING, byte_limit=100 * SIZE, round_trip=0.01)
     assert window.send_limit.most_room(SIZE) == 100
     assert window.send_limit.most_room(200 * SIZE) == 1
@@ -804,7 +804,7 @@ def test_posted_writes_wait_for_a_fence_and_not_for_an_answer() -> None:
     assert repeated(window) == ""
 
 
-def test_posted_writes_are_done_when_the_answer_to_a_fence_has_counted_those_that_failed() -> None:
+def test_posted_writes_are_done_when_a_fence_has_counted_the_failed_ones() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "a", now=1.0)
     window.answered(2, 1, now=1.001)
@@ -818,7 +818,7 @@ def test_posted_writes_are_done_when_the_answer_to_a_fence_has_counted_those_tha
     assert window.is_idle()
 
 
-def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_come() -> None:
+def test_posted_writes_are_queried_if_the_fence_counts_unreported_failures() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "p", "h")
     window.post_failed()
@@ -833,7 +833,7 @@ def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_com
     assert window.is_idle()
 
 
-def test_what_was_asked_for_is_not_asked_for_again_by_the_next_count_that_was_on_its_way() -> None:
+def test_queried_posted_writes_are_not_queried_again_by_the_next_count() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h", "h", "h")
     assert not window.fence_answered(2, 1, now=0.002)
@@ -852,7 +852,7 @@ def test_what_was_asked_for_is_not_asked_for_again_by_the_next_count_that_was_on
     assert window.is_idle()
 
 
-def test_what_was_asked_for_and_not_answered_is_asked_for_again_behind_the_loss() -> None:
+def test_unanswered_queries_of_posted_writes_are_repeated_after_a_loss() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h")
     assert not window.fence_answered(2, 1, now=0.002)
@@ -861,7 +861,7 @@ def test_what_was_asked_for_and_not_answered_is_asked_for_again_behind_the_loss(
     assert repeated(window) == "p?@0 p?@1 h@2"
 
 
-def test_errors_that_come_after_all_let_posted_writes_be_done_that_were_asked_for() -> None:
+def test_late_errors_complete_the_queried_posted_writes() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h")
     assert not window.fence_answered(2, 1, now=0.002)
@@ -912,7 +912,7 @@ def test_the_time_out_follows_rfc_6298() -> None:
     assert window.deadline == pytest.approx(1.0 + 0.1125 + 4 * (0.05 * 3 / 4 + 0.1 / 4))
 
 
-def test_a_request_that_was_sent_twice_is_not_timed() -> None:
+def test_the_round_trip_of_a_retransmitted_request_is_not_measured() -> None:
     window: Window[Named] = Window(RING, round_trip=0.1)
     sent(window, "a", now=0.0)
     window.damaged(now=0.0)
@@ -921,7 +921,7 @@ def test_a_request_that_was_sent_twice_is_not_timed() -> None:
 
 
 @pytest.mark.parametrize("seconds", [0.001, 0.025, 1.0])
-def test_the_shortest_time_out_is_the_mediums(seconds: float) -> None:
+def test_the_shortest_time_out_is_that_of_the_medium(seconds: float) -> None:
     window: Window[Named] = Window(RING, round_trip=0.0001, shortest_timeout=seconds)
     sent(window, "a", now=0.0)
     assert window.deadline == seconds
@@ -973,7 +973,7 @@ def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:
     assert window.deadline < 2.3
 
 
-def test_the_time_on_the_wire_of_a_slow_line_counts() -> None:
+def test_the_time_out_includes_the_time_on_the_wire_of_a_slow_line() -> None:
     window: Window[Named] = Window(RING, byte_time=0.001, round_trip=0.1)
     sent(window, "a", now=0.0)
     assert window.deadline == pytest.approx(0.3 + 0.001 * (SIZE + REPLY))
@@ -983,7 +983,7 @@ def test_the_time_on_the_wire_of_a_slow_line_counts() -> None:
 
 
 class Peer:
-    """A gateway as docs/protocol.md says: ``pf`` fails, and an ``h`` counts."""
+    """A gateway as docs/protocol.md describes it; the write ``pf`` fails, and an ``h`` returns the failure count."""
 
     def __init__(self) -> None:
         self.expected = self.failed = 0
@@ -992,7 +992,7 @@ class Peer:
         self.executed: list[Named] = []
 
     def take(self, number: int, run: Named) -> tuple[str, int] | None:
-        """Return the kind of the answer and its number: the count of an ``h`` that asks is behind its ID."""
+        """Return the kind of the answer and its ID, which the count of failures follows if the request is an ``h``."""
         if run.name == "K":
             return ("K", 0)
         distance = number - self.expected & RING - 1
@@ -1016,7 +1016,7 @@ class Peer:
 
 
 class LossyLine(RuleBasedStateMachine):
-    """Requests and answers wait in two pipes, from which hypothesis delivers, loses, damages or doubles them."""
+    """Two pipes of requests and answers, from which hypothesis delivers, loses, damages or duplicates items."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -1088,7 +1088,7 @@ class LossyLine(RuleBasedStateMachine):
             self.hear_of(kind, number & RING - 1, number >> 8)
 
     def hear_of(self, kind: str, number: int, failed: int) -> None:
-        """Take an answer as `ResponseReceiver` does."""
+        """Take an answer as the response receiver does."""
         run = self.window.find(number)
         if run is None or (kind == "answer" and run.posted):
             return
@@ -1125,7 +1125,7 @@ class LossyLine(RuleBasedStateMachine):
             assert self.failed == self.peer.failed
 
     def teardown(self) -> None:
-        """On a line that has become good, everything ends: executed once, answered once, and nothing is left over."""
+        """On a line that has become reliable, every request is executed once and answered once."""
         for _ in range(20_000):
             if self.window.is_idle():
                 break
@@ -1151,7 +1151,7 @@ TestLossyLine = LossyLine.TestCase
 TestLossyLine.settings = settings(max_examples=examples(60), stateful_step_count=60)
 
 
-def test_a_gateway_that_refuses_even_the_fence_in_place_of_a_request_is_lost() -> None:
+def test_the_line_is_lost_if_even_the_fence_for_a_request_is_refused() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     given_up = []

@@ -1,4 +1,4 @@
-"""The compact form of frames: it carries what the text carries, and damage costs the frames that it hits."""
+"""The compact form of frames carries the same content as the text; damage affects only the frames that it hits."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ REQUESTS = CompactForm(3, 4, 2, from_gateway=False)
 BYTES = st.one_of(
     st.binary(), st.lists(st.sampled_from([START, END, ESCAPE, b"\n", b"\r", b"0", b"r", b"\x07"])).map(b"".join)
 )
-"""Arbitrary bytes, and those among which what is reserved is frequent."""
+"""Arbitrary bytes, and sequences in which reserved bytes are frequent."""
 
 
 def text_of_frame(form: CompactForm, content: bytearray) -> bytes:
-    """Return the text of what stands between start and end."""
+    """Return the text of the bytes between start and end."""
     found = content.hex().upper()
     prefix = ""
     if form.has_node and found:
@@ -44,9 +44,9 @@ def text_of_frame(form: CompactForm, content: bytearray) -> bytes:
 
 
 def expanded(form: CompactForm, data: bytes) -> bytes:
-    """Return the text of bytes, one by one, as a gateway has it; a frame without its end as far as it came.
+    """Return the text of bytes, converted one by one as a gateway does, with the part of a frame that has not ended.
 
-    On a shared medium a line end behind an end belongs to the frame.
+    On a shared medium a line end after the end byte belongs to the frame.
     """
     if form.has_node:
         data = data.replace(END + b"\n", END)
@@ -82,7 +82,7 @@ def frames(draw: st.DrawFn, form: CompactForm, command: str = "") -> bytes:
     if not command and draw(st.integers(0, 9)) == 0:
         return (prefix + draw(st.sampled_from(["K12CD", "Q4AD4", "gs00A", "R0A\r"]))).encode() + b"\n"
     command = command or draw(st.sampled_from(COMMANDS))
-    # Of the digits of ID, address and CRC together there is an odd number, or an even one.
+    # The number of digits of ID, address and CRC together is odd or even.
     odd = "" if form.is_filled(command) else "0"
     pairs = st.sampled_from(["B5", "CA", "D3", "0A", "0D", "93"]) | st.text("0123456789ABCDEF", min_size=2, max_size=2)
     digits = draw(st.lists(pairs, min_size=4, max_size=40))
@@ -91,9 +91,9 @@ def frames(draw: st.DrawFn, form: CompactForm, command: str = "") -> bytes:
 
 @st.composite
 def alike(draw: st.DrawFn, form: CompactForm) -> bytes:
-    """Return frames of one command, most of one length, side by side."""
+    """Return frames of one command, most of them of one length, one after another."""
     frame = draw(frames(form, draw(st.sampled_from(COMMANDS))))
-    # Few bytes and many: both ways.
+    # Small and large counts: the packer has a path for each.
     count = draw(st.integers(2, 30) | st.integers(60, 120))
     text = bytearray(frame * count)
     head = len(frame) - 1 - 8
@@ -109,7 +109,7 @@ def one_by_one(form: CompactForm, text: bytes) -> bytes:
 
 
 @given(st.data())
-def test_frames_of_one_length_are_packed_and_unpacked_together_as_one_by_one(data: st.DataObject) -> None:
+def test_frames_of_one_length_convert_together_as_they_do_one_by_one(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     text = data.draw(alike(form))
     packed = Packer(form).pack(text)
@@ -119,14 +119,14 @@ def test_frames_of_one_length_are_packed_and_unpacked_together_as_one_by_one(dat
 
 
 @given(st.data())
-def test_frames_of_any_lengths_are_packed_together_as_one_by_one(data: st.DataObject) -> None:
+def test_frames_of_any_length_are_packed_together_as_one_by_one(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     text = b"".join(data.draw(st.lists(alike(form) | frames(form), min_size=1)))
     assert Packer(form).pack(text) == one_by_one(form, text)
 
 
 @given(st.data())
-def test_damaged_frames_of_one_length_become_the_text_that_they_become_byte_by_byte(data: st.DataObject) -> None:
+def test_damaged_frames_of_one_length_are_unpacked_as_byte_by_byte(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     damaged = bytearray(Packer(form).pack(data.draw(alike(form))))
     for at in data.draw(st.lists(st.integers(0, len(damaged) - 1), min_size=1, max_size=3)):
@@ -140,15 +140,13 @@ def test_damaged_frames_of_one_length_become_the_text_that_they_become_byte_by_b
     st.lists(st.sampled_from([b"", b"\x00", b"\x90", b"\x04\x05", ESCAPE + b"\x93", ESCAPE]) | st.binary(max_size=4)),
 )
 @example(REQUESTS, [b"", b"\x00\x00"])
-def test_frames_of_any_contents_side_by_side_make_the_text_that_they_make_byte_by_byte(
-    form: CompactForm, contents: list[bytes]
-) -> None:
+def test_frames_of_any_content_are_unpacked_together_as_byte_by_byte(form: CompactForm, contents: list[bytes]) -> None:
     sent = b"".join(START + content + END for content in contents)
     assert Unpacker(form).unpack(sent) == expanded(form, sent)
 
 
 @given(st.data())
-def test_line_ends_between_frames_are_empty_lines_but_on_a_shared_medium(data: st.DataObject) -> None:
+def test_line_ends_between_frames_are_ignored_only_on_a_shared_medium(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     groups = data.draw(st.lists(alike(form), min_size=1, max_size=4))
     sent = b"".join(Packer(form).pack(group) + b"\n" for group in groups)
@@ -156,7 +154,7 @@ def test_line_ends_between_frames_are_empty_lines_but_on_a_shared_medium(data: s
 
 
 @given(st.data())
-def test_frames_come_out_as_they_went_in_whatever_pieces_they_arrive_in(data: st.DataObject) -> None:
+def test_frames_cut_anywhere_are_unpacked_to_the_text_that_was_packed(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     text = b"".join(data.draw(st.lists(frames(form))))
     packed = Packer(form).pack(text)
@@ -180,17 +178,15 @@ def test_all_frames_of_a_session_are_compact_and_no_longer_than_text(data: st.Da
 @given(FORMS, st.lists(BYTES))
 @example(REQUESTS, [START + ESCAPE, START])
 @example(REQUESTS, [b"\xb5\x00\x00\x0b\x00\xd3\x93\xca"])
-def test_bytes_of_any_kind_and_in_any_pieces_make_the_text_that_they_make_one_by_one(
-    form: CompactForm, pieces: list[bytes]
-) -> None:
-    # A line end behind them ends a frame that has not ended.
+def test_arbitrary_bytes_in_pieces_are_unpacked_as_byte_by_byte(form: CompactForm, pieces: list[bytes]) -> None:
+    # A line end after the pieces ends an unfinished frame.
     pieces = [*pieces, b"\n"]
     unpacker = Unpacker(form)
     assert b"".join(map(unpacker.unpack, pieces)) == expanded(form, b"".join(pieces))
 
 
 @given(st.data())
-def test_a_lost_or_changed_byte_leaves_all_but_two_frames_as_they_were(data: st.DataObject) -> None:
+def test_a_lost_or_changed_byte_damages_at_most_two_frames(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     text = data.draw(st.lists(frames(form), min_size=4, max_size=8))
     packed = b"".join(map(Packer(form).pack, text))

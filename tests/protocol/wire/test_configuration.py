@@ -1,4 +1,4 @@
-"""The answer to `Q`: every configuration comes through, and what cannot be is refused with a reason."""
+"""The answer to `Q`: every configuration is decoded as it was encoded; impossible ones are refused with a reason."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_the_default_configuration_is_that_of_the_document() -> None:
 
 
 @given(info=gateway_infos())
-def test_any_configuration_comes_back(info: GatewayInfo) -> None:
+def test_any_configuration_is_decoded_as_it_was_encoded(info: GatewayInfo) -> None:
     assert GatewayInfo.from_hex(info.to_hex()) == info
 
 
@@ -29,11 +29,11 @@ def test_fields_that_a_later_version_appends_are_ignored(info: GatewayInfo, appe
 
 
 @given(info=gateway_infos())
-def test_digits_may_come_in_lower_case(info: GatewayInfo) -> None:
+def test_digits_of_a_configuration_may_be_in_lower_case(info: GatewayInfo) -> None:
     assert GatewayInfo.from_hex(info.to_hex().lower()) == info
 
 
-def test_another_version_says_what_to_install_whatever_follows_it() -> None:
+def test_the_error_for_another_version_says_what_to_install() -> None:
     advice = (
         "the gateway speaks version 01 of the protocol and this program version 03: build the gateway anew with this "
         "version of unity-link, or install one that speaks 01"
@@ -45,13 +45,13 @@ def test_another_version_says_what_to_install_whatever_follows_it() -> None:
 
 
 @pytest.mark.parametrize("cut", range(len(DEFAULT)))
-def test_a_cut_answer_is_no_answer(cut: int) -> None:
+def test_a_cut_answer_is_refused(cut: int) -> None:
     with pytest.raises(ValueError, match="64 hex digits"):
         GatewayInfo.from_hex(DEFAULT[:cut])
 
 
 @pytest.mark.parametrize("digit", [b"G", b" ", b"_", b"+", b"-", b"x", b"\xb2"], ids=repr)
-def test_what_is_no_digit_makes_it_no_answer(digit: bytes) -> None:
+def test_an_answer_with_a_character_that_is_no_hex_digit_is_refused(digit: bytes) -> None:
     for position in range(len(DEFAULT)):
         with pytest.raises(ValueError, match="64 hex digits"):
             GatewayInfo.from_hex(DEFAULT[:position] + digit + DEFAULT[position + 1 :])
@@ -75,7 +75,7 @@ def test_what_is_no_digit_makes_it_no_answer(digit: bytes) -> None:
         ("base_frequency_millihertz", 0),
     ],
 )
-def test_a_width_that_cannot_be_is_refused_with_its_value(field: str, value: int) -> None:
+def test_an_impossible_width_is_refused_with_its_value(field: str, value: int) -> None:
     impossible = msgspec.structs.replace(GatewayInfo(), **{field: value})
     with pytest.raises(UnsupportedError, match=f"the gateway reports .*{value:#x}|{field} = {value}|{value} bits"):
         GatewayInfo.from_hex(impossible.to_hex())
@@ -90,7 +90,7 @@ def test_a_width_that_cannot_be_is_refused_with_its_value(field: str, value: int
         ("build_id", 1 << 32),
     ],
 )
-def test_a_number_that_no_answer_has_the_digits_for_is_refused(field: str, value: int) -> None:
+def test_a_number_with_too_many_digits_for_an_answer_is_refused(field: str, value: int) -> None:
     impossible = msgspec.structs.replace(GatewayInfo(), **{field: value})
     with pytest.raises(UnsupportedError, match=f"the gateway reports {field} = {value}, expected"):
         impossible.check()
@@ -112,7 +112,7 @@ def test_a_gateway_without_groups_needs_no_base_frequency() -> None:
 
 
 @given(info=gateway_infos())
-def test_digits_hold_the_bits_and_no_digit_is_spare(info: GatewayInfo) -> None:
+def test_the_number_of_digits_is_the_smallest_that_holds_the_bits(info: GatewayInfo) -> None:
     assert 4 * (info.address_digits - 1) < info.address_bits <= 4 * info.address_digits
     assert 4 * (info.data_digits - 1) < info.data_bits <= 4 * info.data_digits
 

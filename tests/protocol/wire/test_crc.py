@@ -1,4 +1,4 @@
-"""The check of a frame, held against the arithmetic of its definition."""
+"""The CRC of a frame, compared with the arithmetic of its definition."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def crcs(draw: st.DrawFn) -> Crc:
     return Crc(bits, draw(st.integers(1, (1 << bits) - 1)))
 
 
-def test_the_crcs_of_the_document_give_what_it_says_for_123456789() -> None:
+def test_the_crcs_of_123456789_are_those_of_the_document() -> None:
     assert Crc().text(b"123456789") == b"31C3"
     assert Crc(8, 0x07).text(b"123456789") == b"F4"
 
@@ -51,7 +51,7 @@ def test_the_text_has_all_digits_in_upper_case(crc: Crc, data: bytes) -> None:
 
 
 @given(crc=crcs() | st.sampled_from([Crc(*usual) for usual in USUAL]), data=st.data())
-def test_rows_have_the_same_crc_as_each_alone(crc: Crc, data: st.DataObject) -> None:
+def test_the_crcs_of_rows_are_those_of_each_row_alone(crc: Crc, data: st.DataObject) -> None:
     length = data.draw(st.integers(1, 40))
     rows = data.draw(st.lists(st.binary(min_size=length, max_size=length), min_size=1, max_size=20))
     array = np.frombuffer(b"".join(rows), np.uint8).reshape(len(rows), length)
@@ -60,7 +60,7 @@ def test_rows_have_the_same_crc_as_each_alone(crc: Crc, data: st.DataObject) -> 
 
 
 @given(crc=crcs() | st.sampled_from([Crc(*usual) for usual in USUAL]), before=st.binary(), behind=st.binary())
-def test_a_crc_goes_on_from_what_is_before(crc: Crc, before: bytes, behind: bytes) -> None:
+def test_a_crc_continues_from_the_crc_of_the_bytes_before(crc: Crc, before: bytes, behind: bytes) -> None:
     assert crc.of(behind, crc.of(before)) == crc.of(before + behind)
 
 

@@ -1,4 +1,4 @@
-"""The question who is there and its answer, byte by byte as docs/protocol.md has them."""
+"""The discovery request and its answer, byte by byte as docs/protocol.md has them."""
 
 from hypothesis import given
 from hypothesis import strategies as st
@@ -13,7 +13,7 @@ WORDS = st.integers(0, 0xFFFFFFFF)
 FOUND = st.builds(Found, OF_GATEWAYS, st.binary(min_size=4, max_size=4), WORDS, st.booleans(), st.booleans(), NAMES)
 
 
-def test_question_and_answer_have_the_bytes_of_the_document() -> None:
+def test_discovery_request_and_answer_have_the_bytes_of_the_document() -> None:
     assert ask() == b"U?" + b"\xff" * 6 + bytes(24)
     assert ask(MAC, bytes((192, 168, 1, 7))) == b"U?" + MAC + bytes((192, 168, 1, 7)) + bytes(20)
     lamp = Found(MAC, bytes((192, 168, 1, 7)), 0x1234ABCD, has_fingerprint=True, session_open=True, name="lamp")
@@ -21,33 +21,33 @@ def test_question_and_answer_have_the_bytes_of_the_document() -> None:
 
 
 @given(FOUND)
-def test_an_answer_is_read_as_it_was_told_and_no_longer_than_the_question(found: Found) -> None:
+def test_an_answer_is_decoded_as_encoded_and_as_long_as_the_request(found: Found) -> None:
     assert read_answer(answer(found)) == found
     assert len(answer(found)) == len(ask(found.mac, found.ip))
 
 
 @given(st.text(st.characters(exclude_categories=["Cc", "Cs"]), min_size=16), FOUND)
-def test_a_name_that_is_too_long_loses_its_end(name: str, found: Found) -> None:
+def test_a_name_that_is_too_long_is_cut(name: str, found: Found) -> None:
     told = read_answer(answer(found._replace(name=name)))
     assert told is not None
     assert name.encode("ascii", "replace").startswith(told.name.encode())
 
 
 @given(st.binary(max_size=80) | st.binary(max_size=80).map(b"U?".__add__))
-def test_any_bytes_are_an_answer_or_none(data: bytes) -> None:
+def test_arbitrary_bytes_are_decoded_as_an_answer_or_none(data: bytes) -> None:
     found = read_answer(data)
-    # The MAC of a gateway is not that of a group, which the first bit shows.
+    # The lowest bit of the first byte marks a multicast MAC address, which no gateway has.
     assert (found is not None) == (len(data) == 32 and data.startswith(b"U?") and data[2] % 2 == 0)
     assert found is None or not found.name or found.name.isprintable()
 
 
 @given(st.binary(min_size=4, max_size=4))
-def test_a_question_to_all_that_comes_back_is_no_answer(ip: bytes) -> None:
+def test_a_broadcast_request_that_is_reflected_is_no_answer(ip: bytes) -> None:
     assert read_answer(ask(EVERYBODY, ip)) is None
 
 
 @given(MACS)
-def test_a_question_is_for_all_or_for_the_one_that_it_names(mac: bytes) -> None:
+def test_a_request_is_for_all_gateways_or_for_the_one_that_it_names(mac: bytes) -> None:
     assert asked(ask(mac), MAC) == (mac == MAC or mac[0] % 2 == 1)
     assert asked(ask(EVERYBODY) + b"more", MAC)
     assert not asked(ask(EVERYBODY)[:-1], MAC)

@@ -1,4 +1,4 @@
-"""A feature has one bit and one name: in Python, C, MATLAB and VHDL, in words, and in the documents."""
+"""A feature has one bit and one name in Python, C, MATLAB, VHDL, command output and documents."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from unity_link.virtual.generics import FEATURES, info_of
 
 ROOT = Path(__file__).parents[3]
 BITS = {name.lower(): int(bit).bit_length() - 1 for name, bit in Feature.__members__.items()}
-"""The table: numbers of the bits, by names in small letters."""
+"""The table: bit numbers by names in lower case."""
 
 
 def generated(target: str, name: str) -> str:
@@ -24,12 +24,12 @@ def generated(target: str, name: str) -> str:
 
 
 def features_of_c(target: str) -> dict[str, int]:
-    """Return the bits that a header in C names, by names in small letters."""
+    """Return the bit numbers that a C header names, by names in lower case."""
     found = re.findall(r"\bUL_FEATURE_(\w+) = (\d+)", generated(target, "unity_link.h"))
     return {name.lower(): int(value).bit_length() - 1 for name, value in found if int(value).bit_count() == 1}
 
 
-def test_the_bits_are_one_behind_the_other() -> None:
+def test_the_bits_are_numbered_without_gaps() -> None:
     assert list(BITS.values()) == list(range(len(Feature)))
 
 
@@ -39,7 +39,7 @@ def test_c_has_the_features(target: str) -> None:
 
 
 @pytest.mark.parametrize("target", ["c", "cpp", "matlab"])
-def test_the_sources_in_c_ask_for_no_other_feature(target: str) -> None:
+def test_the_sources_in_c_use_no_other_feature(target: str) -> None:
     texts = [file.text for file in generate(target, compile_text(FIGURE_1))]
     asked = {name for text in texts for name in re.findall(r"\bUL_FEATURE_(\w+)", text)}
     assert asked == Feature.__members__.keys()
@@ -51,7 +51,7 @@ def test_the_struct_of_matlab_has_the_features_in_the_order_of_their_bits() -> N
     assert re.findall(r'"(\w+)"', names[1]) == list(BITS)
 
 
-def test_programs_in_matlab_ask_for_no_other_feature() -> None:
+def test_the_sources_in_matlab_use_no_other_feature() -> None:
     texts = [file.text for file in generate("matlab", compile_text(FIGURE_1)) if file.name.endswith(".m")]
     asked = {name for text in texts for name in re.findall(r"\.features\.(\w+)", text)}
     assert asked
@@ -68,7 +68,7 @@ def test_the_gateware_has_the_features() -> None:
     assert answered == list(BITS)
 
 
-def test_generics_have_the_names_of_the_features_that_they_choose_but_one() -> None:
+def test_generics_have_the_names_of_their_features_except_for_triggers() -> None:
     top = (ROOT / "gateware" / "rtl" / "unity_link_core.vhd").read_text(encoding="utf-8")
     assert FEATURES.keys() <= set(re.findall(r"^ +(\w+) +: boolean", top, re.MULTILINE))
     chosen = {bit: generic for generic, bit in FEATURES.items()}
@@ -78,7 +78,7 @@ def test_generics_have_the_names_of_the_features_that_they_choose_but_one() -> N
 
 
 @pytest.mark.parametrize("bit", Feature)
-def test_a_generic_chooses_its_feature_alone(bit: Feature) -> None:
+def test_a_generic_sets_only_its_own_feature(bit: Feature) -> None:
     none = {**dict.fromkeys(FEATURES, False), "groups": 0, "node": -1}
     needed = Feature.GROUPS if bit in Feature.EXTERNAL_TRIGGERS | Feature.TIMESTAMPS else Feature(0)
     chosen = {generic: feature in bit | needed for generic, feature in FEATURES.items()}
@@ -86,7 +86,7 @@ def test_a_generic_chooses_its_feature_alone(bit: Feature) -> None:
     assert info_of({**none, **chosen, **numbers}).features == bit | needed
 
 
-def test_the_page_on_the_protocol_has_the_words_that_commands_print() -> None:
+def test_the_protocol_page_names_features_as_commands_print_them() -> None:
     page = (ROOT / "docs" / "protocol.md").read_text(encoding="utf-8")
     section = page[page.index("\n## Configuration") : page.index("\n## The compact form")]
     listed = re.findall(r"^\| (\d+) \| ([a-z ]+) \|", section, re.MULTILINE)

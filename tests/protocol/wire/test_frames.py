@@ -1,4 +1,4 @@
-"""Bodies go into frames and come out of them, and out of nothing else."""
+"""Bodies are put into frames and taken out of them; anything that is no frame is rejected."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def test_one_inverted_bit_is_always_found(framing: Framing, body: bytes, positio
 
 
 @pytest.mark.parametrize("line", [b"", b"1", b"R0", b"\n"], ids=repr)
-def test_a_line_shorter_than_its_check_is_damaged(line: bytes) -> None:
+def test_a_line_shorter_than_its_crc_is_damaged(line: bytes) -> None:
     with pytest.raises(FrameError, match="wrong CRC"):
         Framing(Crc(32, 0x04C11DB7)).open(line)
 
@@ -52,7 +52,7 @@ def test_a_plain_request_ends_as_the_enter_key_does() -> None:
 
 
 @given(body=bodies)
-def test_a_frame_of_another_node_is_not_ours(body: bytes) -> None:
+def test_a_frame_of_another_node_is_rejected(body: bytes) -> None:
     with pytest.raises(FrameError, match="not from node 05"):
         Framing(Crc(), node=5).open(Framing(Crc(), node=6).checked(body)[:-1])
 

@@ -1,4 +1,4 @@
-"""Samples of several groups side by side, found by arrays."""
+"""Interleaved samples of several groups, found with arrays."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def sample(group: HeldGroup, sequence: int) -> bytes:
 
 
 def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
-    """Return the owners in the order of the samples, and how many characters they take."""
+    """Return the owners in the order of the samples, and the number of characters that the samples take."""
     samples = find_interleaved(data, start, FRAMING, GROUPS, SEED)
     if samples is None:
         return [], 0
@@ -33,13 +33,13 @@ def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
 
 
 @pytest.mark.parametrize("start", [0, 5])
-def test_samples_of_one_size_are_found_up_to_the_first_that_is_of_no_group(start: int) -> None:
+def test_samples_of_one_size_are_found_until_one_belongs_to_no_group(start: int) -> None:
     data = b"".join(sample(SHORT, number) for number in range(10))
     stray = FRAMING.checked(b"P0905".ljust(SHORT.length, b"A"), SEED)
     assert found(b"-" * start + data + stray + data, start) == (["short"] * 10, len(data))
 
 
-def test_samples_of_unlike_sizes_are_found_in_their_order() -> None:
+def test_samples_of_different_sizes_are_found_in_their_order() -> None:
     order = [SHORT, LONG, LONG, SHORT] * FEWEST_OF_A_SIZE
     data = b"".join(sample(group, number) for number, group in enumerate(order))
     assert found(data) == ([group.owner for group in order], len(data))
@@ -49,7 +49,7 @@ def test_samples_of_unlike_sizes_are_found_in_their_order() -> None:
         assert [bytes(body) for body in bodies] == [sample(order[place], place)[:-5] for place in places]
 
 
-def test_a_damaged_sample_ends_what_is_found() -> None:
+def test_a_damaged_sample_ends_the_interleaved_samples() -> None:
     order = [SHORT, LONG] * (2 * FEWEST_OF_A_SIZE)
     frames = [sample(group, number) for number, group in enumerate(order)]
     frames[21] = frames[21].replace(b"A", b"B", 1)
@@ -57,7 +57,7 @@ def test_a_damaged_sample_ends_what_is_found() -> None:
     assert (owners, size) == ([group.owner for group in order[:21]], sum(map(len, frames[:21])))
 
 
-def test_a_sample_of_another_length_than_its_group_has_is_none_of_it() -> None:
+def test_a_sample_with_another_length_than_its_group_is_not_found() -> None:
     good = b"".join(sample(SHORT, number) for number in range(10))
     long = FRAMING.checked((b"P" + SHORT.text + b"00").ljust(SHORT.length + 8, b"A"), SEED)
     assert found(long * 10) == ([], 0)
@@ -65,5 +65,5 @@ def test_a_sample_of_another_length_than_its_group_has_is_none_of_it() -> None:
 
 
 @pytest.mark.parametrize("data", [b"\n", b"ABCD\n", b"no end", b""])
-def test_what_is_shorter_than_any_frame_is_no_sample(data: bytes) -> None:
+def test_data_shorter_than_any_frame_is_no_sample(data: bytes) -> None:
     assert found(data) == ([], 0)

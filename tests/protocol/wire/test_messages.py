@@ -1,4 +1,4 @@
-"""Every message for every width: what one side writes the other reads, and many at once are as each alone."""
+"""Each side decodes the messages of the other in every width; arrays give the results of single calls."""
 
 from __future__ import annotations
 
@@ -64,20 +64,20 @@ def body_of(codec: Codec, request: DecodedRequest) -> bytes:
 
 
 @given(codec=ALL_FEATURES, data=st.data())
-def test_the_fields_of_a_write_are_those_of_any_request(codec: Codec, data: st.DataObject) -> None:
+def test_write_fields_returns_the_fields_of_a_write(codec: Codec, data: st.DataObject) -> None:
     address, word = (data.draw(field(codec, letter)) for letter in "ad")
     assert codec.write_fields(address, word) == codec.fields("W", address, word) == codec.fields("WS", address, word)
 
 
 @given(codec=ALL_FEATURES, data=st.data())
-def test_every_request_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+def test_every_request_is_decoded_as_it_was_encoded(codec: Codec, data: st.DataObject) -> None:
     request = data.draw(requests(codec))
     assert codec.decode_request(body_of(codec, request)) == request
     assert codec.decode_plain_request(body_of(codec, request)) == request
 
 
 @given(codec=ALL_FEATURES, data=st.data())
-def test_digits_of_a_request_are_understood_in_lower_case(codec: Codec, data: st.DataObject) -> None:
+def test_digits_of_a_request_may_be_in_lower_case(codec: Codec, data: st.DataObject) -> None:
     request = data.draw(requests(codec))
     body = body_of(codec, request)
     letters = len(request.command)
@@ -98,7 +98,7 @@ def test_a_digit_more_or_less_is_malformed(codec: Codec, data: st.DataObject) ->
 
 
 @given(codec=ALL_FEATURES, data=st.data())
-def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+def test_every_response_is_decoded_as_it_was_encoded(codec: Codec, data: st.DataObject) -> None:
     request = data.draw(requests(codec).filter(lambda request: request.command not in ("Q", "WS")))
     row = COMMANDS[request.command]
     told = row.reads or (row.reports if request.id is not None else "")
@@ -116,7 +116,7 @@ def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObj
 
 
 @given(codec=ALL_FEATURES, data=st.data())
-def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
+def test_errors_and_samples_are_decoded_as_they_were_encoded(codec: Codec, data: st.DataObject) -> None:
     number = data.draw(st.integers(0, codec.id_count - 1))
     code = data.draw(st.sampled_from(ErrorCode))
     assert codec.decode_response(codec.error(code)) == DecodedResponse("X", None, {"e": code})
@@ -130,7 +130,7 @@ def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, d
 
 
 @pytest.mark.parametrize("body", b" 0 J r r0 r00 w0G Rr00 X1 n0 Q! P00 q000 k00000 WS ws000".split(b" "))
-def test_what_is_no_message_of_a_gateway_is_refused(body: bytes) -> None:
+def test_a_body_that_is_no_message_of_a_gateway_is_refused(body: bytes) -> None:
     with pytest.raises(ValueError, match=r"no message|hex digits|MALFORMED"):
         DEFAULT.decode_response(body)
 
@@ -138,7 +138,7 @@ def test_what_is_no_message_of_a_gateway_is_refused(body: bytes) -> None:
 @pytest.mark.parametrize(
     "body", [b"", b"0A", b"J0A", b"Rm0A01", b"q", b"k00", b"qQ", b"ZZ", b"\xff", b" R0A"], ids=repr
 )
-def test_no_command_is_an_unknown_command(body: bytes) -> None:
+def test_a_body_without_a_known_command_is_an_unknown_command(body: bytes) -> None:
     with pytest.raises(RequestError) as refusal:
         DEFAULT.decode_request(body)
     assert refusal.value.code == ErrorCode.UNKNOWN_COMMAND
@@ -152,7 +152,7 @@ def test_only_a_plain_word_may_be_short(digits: int, plain: bool) -> None:
 
 
 @pytest.mark.parametrize("body", [b"W0A", b"W0A123456789", b"WM0A1234", b"WK0A0000000F1", b"W0", b"w0"])
-def test_a_plain_word_has_at_least_one_digit_and_not_too_many(body: bytes) -> None:
+def test_a_plain_word_without_digits_or_with_too_many_is_malformed(body: bytes) -> None:
     with pytest.raises(RequestError) as refusal:
         DEFAULT.decode_plain_request(body)
     assert refusal.value.code == ErrorCode.MALFORMED
@@ -173,11 +173,11 @@ def test_a_block_has_at_most_as_many_words_as_two_digits_count() -> None:
         assert refusal.value.code == ErrorCode.MALFORMED
 
 
-# Many at once
+# Many messages at once
 
 
 @given(digits=st.integers(1, 16), data=st.data())
-def test_numbers_in_a_list_are_written_and_read_as_those_of_an_array(digits: int, data: st.DataObject) -> None:
+def test_numbers_in_a_list_are_converted_as_those_of_an_array(digits: int, data: st.DataObject) -> None:
     numbers = data.draw(st.lists(st.integers(0, 16**digits - 1), max_size=20))
     text = b"".join(b"%0*X" % (digits, number) for number in numbers)
     assert hex_text(numbers, digits) == hex_text(tuple(numbers), digits) == text
@@ -186,7 +186,7 @@ def test_numbers_in_a_list_are_written_and_read_as_those_of_an_array(digits: int
 
 
 @given(digits=st.integers(1, 16), text=st.binary(max_size=20) | st.text("0123456789_ +-", max_size=20).map(str.encode))
-def test_what_is_no_row_of_numbers_is_read_neither_as_a_list_nor_as_an_array(digits: int, text: bytes) -> None:
+def test_text_that_is_no_row_of_numbers_is_refused_by_both_parsers(digits: int, text: bytes) -> None:
     try:
         expected = parse_words(text, digits).tolist()
     except ValueError:
@@ -197,11 +197,11 @@ def test_what_is_no_row_of_numbers_is_read_neither_as_a_list_nor_as_an_array(dig
 
 
 SEEDS = st.integers(0, 0xFF)
-"""Seeds that a CRC of any width can have."""
+"""Seeds that are valid for a CRC of any width."""
 
 
 @given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))
-def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
+def test_many_requests_are_encoded_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
     codec = Codec(codec.info, node)
     count = data.draw(st.integers(1, 40))
     first = data.draw(st.integers(0, codec.id_count - 1) | st.just(codec.id_count - 1))
@@ -230,7 +230,7 @@ def answers(codec: Codec, command: str, first: int, words: list[int], seed: int)
 
 
 @given(codec=ALL_FEATURES, data=st.data(), command=st.sampled_from(["R", "W"]), node=st.sampled_from([None, 0x5A]))
-def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_expected(
+def test_many_responses_are_decoded_as_each_alone_until_one_is_unexpected(
     codec: Codec, data: st.DataObject, command: str, node: int | None
 ) -> None:
     codec = Codec(codec.info, node)
@@ -249,7 +249,7 @@ def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_ex
     assert ([] if taken is None else taken.tolist()) == expected
 
 
-def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_frames() -> None:
+def test_a_response_with_a_valid_crc_but_no_word_is_not_decoded_in_rows() -> None:
     assert response_rows(DEFAULT, "R", 0, DEFAULT.framing.checked(b"r0000000G000"), 8) is None
 
 
@@ -257,14 +257,14 @@ def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_fram
 
 
 @pytest.mark.parametrize("example", worked_examples(), ids=lambda example: f"line {example.line}")
-def test_the_host_reads_every_answer_of_the_document(example: Example) -> None:
+def test_the_host_decodes_every_answer_of_the_document(example: Example) -> None:
     codec = Codec(GatewayInfo(), example.node)
     for frame, from_gateway, session in example.frames_in_sessions:
         if from_gateway:
             codec.decode_response(codec.framing.open(frame[:-1], seed_of(session, from_gateway=True)))
 
 
-def test_the_host_writes_every_checked_request_of_the_document() -> None:
+def test_the_host_encodes_every_checked_request_of_the_document() -> None:
     written = 0
     for example in worked_examples():
         codec = Codec(GatewayInfo(), example.node)

@@ -1,4 +1,4 @@
-"""Words and features as people read them."""
+"""Words and features, formatted for display."""
 
 from __future__ import annotations
 

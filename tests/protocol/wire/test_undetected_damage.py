@@ -1,8 +1,8 @@
-"""The damages that are found for sure, and those that are not: the figures of docs/protocol.md.
+"""The kinds of damage that the CRC always finds, and those that it may miss: the figures of docs/protocol.md.
 
-With an initial value of 0 the CRC is linear: damage passes if the CRC of the difference of the texts is the difference
-of the CRCs. So it is enough to look at differences. The CRC stands in the frame as hexadecimal digits, whose characters
-differ in other bits than the numbers do: a single flipped bit can change three bits of a number.
+With an initial value of 0 the CRC is linear: damage passes if the CRC of the XOR of both texts is the XOR of their
+CRCs. So the tests only need differences of texts. A frame has the CRC as hexadecimal digits, whose characters differ
+in other bits than their values: a single flipped bit can change three bits of a value.
 """
 
 import functools
@@ -44,7 +44,7 @@ def flips_in_digits(difference: int, digits: int) -> int:
 
 
 def fewest_flips_that_pass(crc: Crc, length: int) -> int:
-    """Return the fewest flipped bits by which a frame with so many characters before its CRC can pass as another."""
+    """Return the fewest flipped bits that change a frame with `length` characters before its CRC into a valid one."""
     singles = [crc.of(bytes([1 << bit]) + bytes(behind)) for behind in range(length) for bit in range(8)]
     fewest = 1 + min(flips_in_digits(single, crc.digits) for single in singles)
     known = set(singles)
@@ -53,24 +53,24 @@ def fewest_flips_that_pass(crc: Crc, length: int) -> int:
     one_digit = [value for value in range(1 << crc.bits) if flips_in_digits(value, crc.digits) == 1]
     if any(single ^ value in known for single in singles for value in one_digit):
         return min(fewest, 3)
-    # Both polynomials are multiples of x + 1, so three flips in the text alone are found.
+    # Both polynomials are multiples of x + 1, so they find three flipped bits in the text alone.
     return min(fewest, 4)
 
 
 @pytest.mark.parametrize(("crc", "characters"), [(CRC_8, 1), (CRC_16, 2)], ids=["CRC-8", "CRC-16"])
-def test_damage_to_as_many_adjacent_characters_as_the_crc_has_bytes_is_found(crc: Crc, characters: int) -> None:
+def test_damage_to_adjacent_characters_is_found_up_to_the_bytes_of_the_crc(crc: Crc, characters: int) -> None:
     differences = np.arange(1 << crc.bits, dtype=f">u{characters}").view(np.uint8).reshape(-1, characters)
-    # No two have the same CRC, wherever they stand: what follows multiplies all by the same.
+    # All differences have different CRCs; later characters multiply all CRCs by the same factor.
     assert len(np.unique(crc_rows(crc, differences), axis=0)) == 1 << crc.bits
 
 
-def test_damage_to_the_last_character_and_the_first_digit_of_a_crc_16_is_found() -> None:
-    # It changes other digits, too.
+def test_damage_to_the_last_character_and_first_digit_of_crc_16_is_found() -> None:
+    # Such damage also changes other digits of the CRC.
     assert all(CRC_16.of(bytes([last])) & 0xFFF for last in range(1, 256))
 
 
 @pytest.mark.parametrize("crc", [CRC_8, CRC_16], ids=["CRC-8", "CRC-16"])
-def test_one_of_all_values_of_the_crc_passes_of_the_damages_to_a_text(crc: Crc) -> None:
+def test_damage_to_a_text_passes_as_often_as_a_random_crc_matches(crc: Crc) -> None:
     patterns = np.arange(1 << 24, step=1 << 8, dtype=">u4").view(np.uint8).reshape(-1, 4)
     _, counts = np.unique(crc_rows(crc, patterns), axis=0, return_counts=True)
     assert set(counts) == {len(patterns) >> crc.bits}
@@ -80,28 +80,28 @@ def test_one_of_all_values_of_the_crc_passes_of_the_damages_to_a_text(crc: Crc) 
     ("crc", "length", "fewest"),
     [(CRC_8, 1, 2), (CRC_16, 10, 4), (CRC_16, 11, 3), (CRC_16, 1560, 3), (CRC_16, 1561, 2)],
 )
-def test_fewer_flipped_bits_than_the_distance_never_pass(crc: Crc, length: int, fewest: int) -> None:
+def test_fewer_flipped_bits_than_the_distance_never_pass_the_crc(crc: Crc, length: int, fewest: int) -> None:
     assert fewest_flips_that_pass(crc, length) == fewest
 
 
-def test_more_characters_never_raise_the_distance_so_its_steps_tell_it_for_every_length() -> None:
+def test_the_distance_is_4_for_one_character_and_2_for_2040() -> None:
     assert fewest_flips_that_pass(CRC_16, 1) == 4
     assert fewest_flips_that_pass(CRC_16, 2040) == 2
 
 
 @pytest.mark.parametrize(("crc", "met"), [(CRC_8, 0x10), (CRC_16, 0x1000)], ids=["CRC-8", "CRC-16"])
-def test_the_size_of_a_first_letter_and_the_number_of_the_session_meet_in_one_number_alone(crc: Crc, met: int) -> None:
+def test_the_case_of_the_first_letter_collides_with_one_session_number(crc: Crc, met: int) -> None:
     last = GatewayInfo(crc_bits=crc.bits, crc_polynomial=crc.polynomial).last_session
     seeds = {number: seed_of(number, from_gateway=False) for number in range(1, last + 1)}
     assert [number for number, seed in seeds.items() if crc.of(b"w0", seed) == crc.of(b"W0")] == [met]
 
 
 @pytest.mark.parametrize("crc", [CRC_8, CRC_16, Crc(32, 0x04C11DB7)], ids=["CRC-8", "CRC-16", "CRC-32"])
-def test_a_whole_frame_never_has_the_check_of_another_session_or_direction(crc: Crc) -> None:
+def test_a_whole_frame_never_has_the_crc_of_another_session_or_direction(crc: Crc) -> None:
     last = GatewayInfo(crc_bits=crc.bits, crc_polynomial=crc.polynomial).last_session
     numbers = range(0, last + 1, 97 if crc.bits > 8 else 1)
     seeds = {seed_of(number, from_gateway=way) for number, way in itertools.product(numbers, (False, True))}
-    # Behind as many characters as a frame has they are as many as before.
+    # After as many characters as a frame has, the seeds still lead to different CRCs.
     for length in (5, 16, 1000):
         assert len({crc.of(bytes(length), seed) for seed in seeds}) == len(seeds) == 2 * len(numbers) - 1
 
@@ -109,7 +109,7 @@ def test_a_whole_frame_never_has_the_check_of_another_session_or_direction(crc: 
 def requests_of(info: GatewayInfo) -> list[bytes]:
     """Return a frame of each command that has an ID, all with the ID 0 and of session 1."""
     codec, seed = Codec(info), seed_of(1, from_gateway=False)
-    # Words that are digits of commands, too, so that a cut leaves as much as can be.
+    # The words are digits that are commands too, so a cut frame leaves as many valid commands as possible.
     word = 0x1011121310111213 >> 64 - info.data_bits
     fields = {
         "a": 0x10,
@@ -132,7 +132,7 @@ def requests_of(info: GatewayInfo) -> list[bytes]:
 
 @pytest.mark.parametrize("data_bits", [8, 16, 32, 64])
 @pytest.mark.parametrize(("crc_bits", "polynomial"), [(8, 0x07), (16, 0x1021)])
-def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_executed(
+def test_one_damaged_character_is_executed_only_if_it_is_an_early_lf(
     data_bits: int, crc_bits: int, polynomial: int
 ) -> None:
     info = GatewayInfo(data_bits=data_bits, crc_bits=crc_bits, crc_polynomial=polynomial)
@@ -146,7 +146,7 @@ def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_execu
             if character == frame[place] or (
                 in_check and chr(character) in "abcdef" and character & 95 == frame[place]
             ):
-                # Digits of a check may be in either case.
+                # The digits of a CRC may be in either case.
                 continue
             gateway.receive(frame[:place] + bytes([character]) + frame[place + 1 :] + b"\n", 0.0)
             if gateway.expected != 0 or gateway.memory:
@@ -157,11 +157,11 @@ def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_execu
 
 
 LOOKS = (b"Q\r", b"H\r")
-"""Plain frames of two characters that look: damage may make one, which no check finds, and it changes nothing."""
+"""Plain queries of two characters. Damage may produce one, which no CRC protects; it changes no state."""
 
 
 class Accesses:
-    """A device behind every address, which counts."""
+    """A device at every address that counts the accesses."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -175,12 +175,12 @@ class Accesses:
 
 
 class Attacked:
-    """Gateways in session 1 that take damaged frames.
+    """Gateways in session 1 that receive damaged frames.
 
     Args:
         build: name of a build of the gateware.
-        kind: ``sim`` for models of it.
-        compact: whether the frames are in compact form.
+        kind: ``sim`` for models of the build.
+        compact: if true, the frames are in compact form.
     """
 
     def __init__(self, build: str, kind: str, *, compact: bool) -> None:
@@ -202,7 +202,7 @@ class Attacked:
         return [packer.pack(frame) for frame in frames] if self.compact else frames
 
     def executes(self, damaged: bytes) -> bool:
-        """Return whether anything is executed."""
+        """Receive a damaged frame; return true if the gateway executes anything."""
         answers = self._text_of(self._gateway.receive(damaged + b"\n", 0.0))
         if not self._accesses.count and all(line[:1] in b"XxnK\r" for line in answers.split(b"\n")):
             return False
@@ -226,7 +226,7 @@ class Attacked:
         pytest.param("wide", False, marks=pytest.mark.campaign),
     ],
 )
-def test_of_damages_to_two_adjacent_characters_no_more_than_the_bound_get_anything_executed(
+def test_two_damaged_characters_are_executed_no_more_often_than_the_bound(
     build: str, kind: str, damages: int, *, compact: bool
 ) -> None:
     attacked = Attacked(build, kind, compact=compact)
@@ -242,15 +242,15 @@ def test_of_damages_to_two_adjacent_characters_no_more_than_the_bound_get_anythi
             done += 1
             if attacked.executes(frame[:place] + pair + frame[place + 2 :]):
                 passed.append((frame, place, pair))
-    print(f"{build} {kind}: {len(passed)} of {done} executed")  # noqa: T201  (what was seen, for docs/reliability.md)
+    print(f"{build} {kind}: {len(passed)} of {done} executed")  # noqa: T201  (the observed count, for docs/reliability.md)
     expected = damages * 2.0**-attacked.info.crc_bits
     assert len(passed) <= expected + 5 * expected**0.5 + 1
     if attacked.info.crc_bits > 8 and not compact:
-        # An early line end; or another size of the first letter, which chooses the check.
+        # The pair has an early line end, or changes the case of the first letter, which selects the kind of CRC.
         assert all(place == 0 or b"\n" in pair for _, place, pair in passed)
 
 
 def is_as_before(frame: bytes, place: int, pair: bytes) -> bool:
-    """Return whether a frame of text whose characters are replaced says the same: hexadecimal digits have two cases."""
+    """Return true if a frame of text means the same after the change; hexadecimal digits may be in either case."""
     before = frame[place : place + 2]
     return all(new == old or (new in b"abcdef" and new & 0x5F == old) for new, old in zip(pair, before, strict=True))

@@ -1,4 +1,4 @@
-"""The instants at which the chip sends packets, and their contents."""
+"""The instants at which the chip sends packets, and the contents of the packets."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def new_chip(image: bytes = build_eeprom("FIFO", "S1"), timing: Timing = Timing(
     return Chip(image, timing)
 
 
-def test_a_lone_byte_waits_for_the_latency_timer() -> None:
+def test_a_single_byte_waits_for_the_latency_timer() -> None:
     [port] = new_chip().ports
     port.write(b"a")
     assert port.ready_at(0.001) == pytest.approx(LATENCY)
@@ -51,7 +51,7 @@ def test_the_latency_timer_is_set_by_a_request() -> None:
     assert port.ready_at(0.0) == pytest.approx(0.003)
 
 
-def test_a_full_packet_goes_at_once() -> None:
+def test_a_full_packet_is_sent_at_once() -> None:
     [port] = new_chip().ports
     port.write(bytes(PAYLOAD - 1))
     assert port.ready_at(0.0) > 0
@@ -60,7 +60,7 @@ def test_a_full_packet_goes_at_once() -> None:
     assert len(port.give(0.0)) == 512
 
 
-def test_siwu_sends_what_is_there_and_what_came_since() -> None:
+def test_siwu_sends_the_waiting_and_the_later_bytes() -> None:
     [port] = new_chip().ports
     port.write(b"response")
     port.send_immediate()
@@ -78,9 +78,7 @@ def test_siwu_with_more_than_a_packet_sends_all_of_it() -> None:
 
 
 @pytest.mark.parametrize(("short_packet", "ready"), [(False, LATENCY), (True, 0.0)])
-def test_a_flush_of_exactly_a_packet_is_followed_by_a_short_one_only_if_so_chosen(
-    short_packet: bool, ready: float
-) -> None:
+def test_a_short_packet_follows_a_flush_of_a_full_one_only_as_an_option(short_packet: bool, ready: float) -> None:
     [port] = new_chip(timing=Timing(short_packet_after_full=short_packet)).ports
     port.write(bytes(PAYLOAD))
     port.send_immediate()
@@ -95,7 +93,7 @@ def test_siwu_with_an_empty_fifo_does_nothing() -> None:
     assert port.ready_at(0.0) > 0
 
 
-def test_the_event_character_sends_what_is_there_and_stays_in_the_data() -> None:
+def test_the_event_character_sends_the_waiting_bytes_and_stays_in_the_data() -> None:
     chip = new_chip()
     [port] = chip.ports
     chip.control_out(0x40, 0x06, 0x100 | 0x0A, 1, 0.0)
@@ -142,7 +140,7 @@ def test_a_purge_drops_one_direction() -> None:
 
 
 @given(st.lists(st.binary(max_size=300)), st.randoms())
-def test_packets_hold_every_byte_once_and_in_order(pieces: list[bytes], random: object) -> None:
+def test_packets_contain_every_byte_once_and_in_order(pieces: list[bytes], random: object) -> None:
     [port], received, sent = new_chip().ports, bytearray(), bytearray()
     clock = itertools.count()
     for piece in pieces:
@@ -161,7 +159,7 @@ def test_packets_hold_every_byte_once_and_in_order(pieces: list[bytes], random: 
 # EEPROM and pins
 
 
-def test_the_eeprom_chooses_the_pins_and_the_bit_mode_the_clock() -> None:
+def test_the_eeprom_selects_the_pins_and_the_bit_mode_the_clock() -> None:
     chip = new_chip()
     [port] = chip.ports
     modes = [port.mode]
@@ -172,13 +170,13 @@ def test_the_eeprom_chooses_the_pins_and_the_bit_mode_the_clock() -> None:
 
 
 @pytest.mark.parametrize("image", [BLANK, bytes(256), build_eeprom("FIFO")[:-1] + b"\x00"])
-def test_a_chip_without_a_sound_eeprom_is_a_uart_without_a_serial_number(image: bytes) -> None:
+def test_a_chip_without_a_valid_eeprom_is_a_uart_without_a_serial_number(image: bytes) -> None:
     chip = new_chip(image)
     [port] = chip.ports
     assert (port.mode, chip.strings[2], chip.device_descriptor.iSerialNumber) == (Mode.UART, "", 0)
 
 
-def test_what_is_written_to_the_eeprom_counts_after_the_next_power_up() -> None:
+def test_writes_to_the_eeprom_take_effect_after_the_next_power_up() -> None:
     chip = new_chip(BLANK)
     [port] = chip.ports
     image = build_eeprom("FIFO", "NEW")
@@ -195,7 +193,9 @@ def test_what_is_written_to_the_eeprom_counts_after_the_next_power_up() -> None:
     st.sampled_from(["UART", "FIFO"]),
     st.text(st.characters(codec="ascii", min_codepoint=33, max_codepoint=126), max_size=10),
 )
-def test_an_eeprom_says_what_it_was_built_with(place: tuple[ChipKind, int], wanted: str, serial: str) -> None:
+def test_an_eeprom_has_the_settings_that_it_was_built_with(
+    place: tuple[ChipKind, int], wanted: str, serial: str
+) -> None:
     kind, port = place
     image = build_eeprom("FIFO" if wanted == "FIFO" else "UART", serial, kind=kind, ports=[port])
     assert is_valid(image)
@@ -217,9 +217,7 @@ def test_an_eeprom_says_what_it_was_built_with(place: tuple[ChipKind, int], want
         (FT2232H, 0x04, "UART"),
     ],
 )
-def test_the_driver_that_an_eeprom_names_beside_the_type_does_not_count(
-    kind: ChipKind, code: int, expected: str
-) -> None:
+def test_the_driver_type_in_an_eeprom_is_ignored(kind: ChipKind, code: int, expected: str) -> None:
     image = bytearray(build_eeprom("UART", "S1", kind=kind))
     image[0] = code
     image[-2:] = checksum(image[:-2]).to_bytes(2, "little")
@@ -227,7 +225,7 @@ def test_the_driver_that_an_eeprom_names_beside_the_type_does_not_count(
 
 
 @pytest.mark.parametrize("kind", [FT232H, FT2232H])
-def test_pyftdi_reads_the_same_of_an_eeprom(kind: ChipKind) -> None:
+def test_pyftdi_reads_the_same_settings_from_an_eeprom(kind: ChipKind) -> None:
     device = VirtualFt232h(
         Unconnected(), kind=kind, image=build_eeprom("FIFO", "S17", kind=kind, ports=range(1, kind.ports + 1))
     )
@@ -246,7 +244,7 @@ def test_pyftdi_reads_the_same_of_an_eeprom(kind: ChipKind) -> None:
     ("value", "index", "baud"),
     [(0, 0x0201, 12e6), (1, 0x0201, 8e6), (2, 0x0201, 6e6), (0x4138, 0x0001, 9600), (0xC068, 0x0201, 115_200)],
 )
-def test_the_divisor_gives_the_baud_rate(value: int, index: int, baud: float) -> None:
+def test_the_divisor_determines_the_baud_rate(value: int, index: int, baud: float) -> None:
     chip = new_chip()
     [port] = chip.ports
     chip.control_out(0x40, 0x03, value, index, 0.0)
@@ -260,7 +258,7 @@ def test_an_unknown_request_is_refused(kind: int, number: int) -> None:
 
 
 @given(value=st.integers(0, 0xFFFF))
-def test_a_configuration_is_set_where_there_is_one_of_that_number_and_refused_elsewhere(value: int) -> None:
+def test_only_an_existing_configuration_number_can_be_set(value: int) -> None:
     chip = new_chip()
     chip.control_out(0x00, 0x09, 1, 0, 0.0)
     is_known = value in (0, 1)
@@ -270,7 +268,7 @@ def test_a_configuration_is_set_where_there_is_one_of_that_number_and_refused_el
 
 
 @pytest.mark.parametrize(("kind", "number"), [(0xC0, 0x55), (0xA1, 0x01), (0x80, 0x55)])
-def test_an_unknown_question_is_refused(kind: int, number: int) -> None:
+def test_an_unknown_read_request_is_refused(kind: int, number: int) -> None:
     with pytest.raises(StallError):
         new_chip().control_in(kind, number, 0, 1)
 
@@ -279,11 +277,11 @@ def test_an_unknown_question_is_refused(kind: int, number: int) -> None:
 
 
 def new_pair(*fifos: int) -> Chip:
-    """Return an FT2232H, of which these ports are FIFOs."""
+    """Return an FT2232H whose given ports are FIFOs."""
     return Chip(build_eeprom("FIFO", "S1", kind=FT2232H, ports=fifos), Timing(), FT2232H)
 
 
-def test_each_port_has_pins_and_fifos_of_its_own() -> None:
+def test_each_port_has_its_own_pins_and_fifos() -> None:
     chip = new_pair(2)
     first, second = chip.ports
     assert [first.mode, second.mode] == [Mode.UART, Mode.FIFO]
@@ -303,7 +301,7 @@ def test_the_index_of_a_request_names_the_port() -> None:
         chip.control_out(0x40, 0x09, 1, 3, 0.0)
 
 
-def test_a_reset_of_one_port_leaves_the_other() -> None:
+def test_a_reset_of_one_port_does_not_affect_the_other() -> None:
     chip = new_pair(1, 2)
     for port in chip.ports:
         port.write(b"kept")
@@ -311,7 +309,7 @@ def test_a_reset_of_one_port_leaves_the_other() -> None:
     assert [port.give(1.0)[2:] for port in chip.ports] == [b"kept", b""]
 
 
-def test_the_synchronous_fifo_of_port_a_leaves_nothing_to_port_b() -> None:
+def test_port_b_is_unusable_with_the_synchronous_fifo_of_port_a() -> None:
     chip = new_pair(1, 2)
     modes = []
     for value, index in ((0x40FF, 2), (0, 2), (0x40FF, 1), (0, 1)):
@@ -321,7 +319,7 @@ def test_the_synchronous_fifo_of_port_a_leaves_nothing_to_port_b() -> None:
     assert modes == [[fifo, other], [fifo, fifo], [sync, other], [fifo, fifo]]
 
 
-def test_the_configuration_lists_an_interface_with_two_endpoints_for_each_port() -> None:
+def test_the_configuration_lists_an_interface_with_two_endpoints_per_port() -> None:
     answer = new_pair().control_in(0x80, 0x06, 0x0200, 0)
     assert len(answer) == int.from_bytes(answer[2:4], "little") == 9 + 2 * (9 + 7 + 7)
     assert answer[4] == 2

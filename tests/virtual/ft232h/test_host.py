@@ -1,4 +1,4 @@
-"""The chip as a program sees it, in modelled time: round trips, streams, faults."""
+"""The chip as a program sees it, in simulated time: round trips, streams, faults."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ ANSWER = b"R0A000000004E83\n"
 
 
 def payload(ended: Transfer) -> bytes:
-    """Take the status bytes out of what was read."""
+    """Return the bytes of a read transfer without the status bytes."""
     return b"".join(bytes(ended.data[start + 2 : start + 512]) for start in range(0, len(ended.data), 512))
 
 
 class Program:
-    """Has transfers done on a host, and waits for them; time passes only then."""
+    """Submits transfers to a host and waits for them; time passes only while it waits."""
 
     def __init__(self, board: AttachedBoard, timing: Timing = Timing()) -> None:  # noqa: B008  (frozen)
         self.chip = Chip(build_eeprom("FIFO", "S1"), timing)
@@ -48,7 +48,7 @@ class Program:
     def wait(self, transfer: Transfer) -> Transfer:
         while transfer.status is None or transfer.ends_at > self.now:
             due = self.host.next_due
-            assert due is not None, "nothing will ever happen again"
+            assert due is not None, "no further event is due"
             self.now = max(self.now, due)
             self.host.advance(self.now)
         return transfer
@@ -61,7 +61,7 @@ class Program:
         return self.wait(self.submit(Transfer(OUT, data=data)))
 
     def transact(self, request: bytes, size: int = 16384) -> tuple[bytes, float]:
-        """Send a request with a read posted already; gives the answer, and how long it took."""
+        """Send a request while a read is pending; return the answer, and the seconds that it took."""
         began = self.now
         reading = self.submit(Transfer(IN, size=size))
         self.submit(Transfer(OUT, data=request))
@@ -78,7 +78,7 @@ def new_program(mode: Mode = Mode.FIFO, timing: Timing = Timing()) -> Program:  
 
 
 @pytest.mark.parametrize("mode", [b"I01\r", b"I02\r"])
-def test_a_lone_read_with_send_immediate_takes_two_microframes_at_most(mode: bytes) -> None:
+def test_a_read_with_send_immediate_takes_at_most_two_microframes(mode: bytes) -> None:
     program = new_program()
     program.transact(mode)
     for _ in range(100):
@@ -88,7 +88,7 @@ def test_a_lone_read_with_send_immediate_takes_two_microframes_at_most(mode: byt
         assert took <= 2 * MICROFRAME + 1e-9
 
 
-def test_a_lone_read_without_send_immediate_takes_the_latency_timer() -> None:
+def test_a_read_without_send_immediate_takes_the_latency_timer() -> None:
     program = new_program()
     program.transact(b"I00\r")
     program.run_for(0.1)
@@ -98,7 +98,7 @@ def test_a_lone_read_without_send_immediate_takes_the_latency_timer() -> None:
     assert 0.016 - 2 * MICROFRAME < took < 0.016 + 2 * MICROFRAME
 
 
-def test_adaptive_send_immediate_lets_a_burst_fill_its_packets() -> None:
+def test_a_burst_fills_its_packets_with_adaptive_send_immediate() -> None:
     burst, packets = READ * 250, {}
     for mode in (b"I00\r", b"I01\r", b"I02\r"):
         program = new_program()
@@ -120,7 +120,7 @@ def test_adaptive_send_immediate_lets_a_burst_fill_its_packets() -> None:
     assert packets[b"I01\r"] > 2 * full
 
 
-def test_a_sample_of_a_group_that_asks_for_it_is_sent_at_once() -> None:
+def test_a_sample_of_an_immediate_group_is_sent_at_once() -> None:
     program = new_program()
     program.transact(b"GS000503E8010A\r")
     program.transact(b"GN00\r")
@@ -129,13 +129,13 @@ def test_a_sample_of_a_group_that_asks_for_it_is_sent_at_once() -> None:
         reading = program.wait(program.submit(Transfer(IN, size=512)))
         taken.append(bytes(reading.data[2:]))
     samples = [data for data in taken if data.startswith(b"P")]
-    # 100 Hz under a latency timer of 16 ms: alone in their packets.
+    # 100 Hz with a latency timer of 16 ms: each sample is alone in its packet.
     assert len(samples) > 20
     assert all(data.count(b"\n") == 1 for data in samples)
 
 
 class Echo:
-    """A gateway that sends back what it gets, and so fills both directions."""
+    """A gateway that echoes all bytes, and so fills both directions."""
 
     open = Gateway.open
 
@@ -159,7 +159,7 @@ class Echo:
 
 
 def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) -> float:
-    """Echo bytes for so long, and compare them; return bytes a second in each direction."""
+    """Echo bytes for some seconds and compare them; return the bytes per second in each direction."""
     program = Program(GatewayBoard(Echo(), mode, step=step))
     program.port.bit_mode = 0x40 if mode is Mode.SYNC_FIFO else 0
     pattern = random.Random(7).randbytes(1 << 20)
@@ -207,12 +207,12 @@ def stream(seconds: float, *, mode: Mode, transfers: int, size: int, step: int) 
     return received_by_end / end
 
 
-def test_a_stream_in_both_directions_loses_nothing_and_reaches_the_chip_s_rate() -> None:
+def test_a_stream_in_both_directions_reaches_the_rate_of_the_chip() -> None:
     rate = stream(0.2, mode=Mode.FIFO, transfers=4, size=4096, step=64)
     assert 0.95 * 8e6 < rate <= 8e6
 
 
-def test_with_one_transfer_at_a_time_a_stream_loses_nothing_either() -> None:
+def test_a_stream_of_one_transfer_at_a_time_loses_no_byte() -> None:
     assert stream(0.2, mode=Mode.FIFO, transfers=1, size=16384, step=64) > 0.8 * 8e6
 
 
@@ -222,14 +222,14 @@ def test_a_synchronous_stream_shares_40_mb_per_second() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seconds", [3.0, pytest.param(60.0, marks=pytest.mark.campaign)])
-def test_seconds_of_8_mb_per_second_in_both_directions_lose_nothing(seconds: float) -> None:
+def test_seconds_of_8_mb_per_second_in_both_directions_lose_no_byte(seconds: float) -> None:
     rate = stream(seconds, mode=Mode.FIFO, transfers=4, size=16384, step=256)
     assert rate > 0.97 * 8e6
 
 
-def test_a_gateway_that_answers_more_than_it_is_asked_holds_back_the_host() -> None:
+def test_a_gateway_with_long_answers_throttles_the_host() -> None:
     program = new_program()
-    # Each request of 14 characters is answered by 2054: most of the time RD# has to wait.
+    # Each request of 14 characters has an answer of 2054, so RD# waits most of the time.
     requests = b"RM0020\r" * 20
     program.submit(Transfer(OUT, data=requests))
     received = b""
@@ -238,7 +238,7 @@ def test_a_gateway_that_answers_more_than_it_is_asked_holds_back_the_host() -> N
     assert received == (b"RM0020" + b"00000000" * 32 + b"\r\n") * 20
 
 
-def test_samples_without_room_are_counted_and_the_rest_arrives_whole() -> None:
+def test_samples_without_space_are_counted_and_the_others_arrive_whole() -> None:
     program = new_program()
     program.transact(b"GS00010001010A\r")
     program.transact(b"GN00\r")
@@ -253,10 +253,10 @@ def test_samples_without_room_are_counted_and_the_rest_arrives_whole() -> None:
 # Faults
 
 
-def test_a_packet_of_exactly_510_bytes_arrives_with_the_latency_timer_at_the_latest() -> None:
+def test_a_packet_of_510_bytes_arrives_at_latest_with_the_latency_timer() -> None:
     program = new_program()
     program.transact(b"I02\r")
-    # 31 answers of 16 bytes, and one each of 8 and 6: together one full packet, which does not end the transfer.
+    # 31 answers of 16 bytes, one of 8 and one of 6: together one full packet, which does not end the transfer.
     requests = READ * 31 + b"W0A00000012D4FE\n" + b"HC9CC\n"
     answer, took = program.transact(requests)
     assert len(answer) == 510
@@ -295,7 +295,7 @@ def test_a_cancelled_read_loses_no_byte() -> None:
     assert received == ANSWER * 100
 
 
-def test_in_the_wrong_mode_no_byte_passes_the_pins() -> None:
+def test_no_byte_passes_the_pins_in_the_wrong_mode() -> None:
     program = new_program(Mode.SYNC_FIFO)
     program.port.bit_mode = 0
     program.write(READ)
@@ -304,7 +304,7 @@ def test_in_the_wrong_mode_no_byte_passes_the_pins() -> None:
     assert program.wait(program.submit(Transfer(IN, size=512))).moved == 2
 
 
-def test_a_uart_that_is_not_read_overruns_and_says_so() -> None:
+def test_a_uart_that_is_not_read_reports_an_overrun() -> None:
     program = Program(GatewayBoard(VirtualGateway(), Mode.UART))
     program.chip.eeprom[:] = build_eeprom("UART")
     program.chip.power_up(0.0)

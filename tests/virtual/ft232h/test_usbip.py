@@ -1,4 +1,4 @@
-"""The USB/IP server, asked over a socket by a client of its own, byte by byte as the kernel's documentation has it."""
+"""The USB/IP server, used over a socket by a client of this file, byte by byte as in the kernel's documentation."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ DEVICE_SIZE = 312
 
 
 class Client:
-    """Speaks USB/IP as a kernel does."""
+    """Uses USB/IP as a kernel does."""
 
     def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         self._reader = reader
@@ -60,7 +60,7 @@ class Client:
         self.send(struct.pack(">IIIIII24x", 2, self._number, 0x70002, 0, 0, number))
 
     async def reply(self, *reads: int) -> tuple[int, int, int, bytes]:
-        """Return command, number, status and data of the next reply; `reads` are the transfers that have data."""
+        """Return command, number, status and data of the next reply; `reads` are the numbers of transfers with data."""
         command, number, device, direction, endpoint = struct.unpack(">IIIII", await self.read(20))
         assert (device, direction, endpoint) == (0, 0, 0)
         status, length = struct.unpack(">ii20x", await self.read(28))
@@ -73,7 +73,7 @@ class Client:
         return status, data
 
     async def ask(self, request: bytes, size: int, in_endpoint: int, out_endpoint: int) -> bytes:
-        """Return so many bytes that are read after a request; a read ends without data once in a while."""
+        """Send a request and return `size` bytes of the answer; some reads end without data."""
         reading = self.submit(in_endpoint, size=16384)
         writing = self.submit(out_endpoint, data=request)
         received = b""
@@ -157,7 +157,7 @@ async def test_a_kernel_finds_a_high_speed_ft232h() -> None:
         assert await client.control(0xC0, 0x77, 0, 0, 2) == (-errno.EPIPE, b"")
 
 
-async def test_a_configuration_that_there_is_not_is_refused_and_the_device_can_be_used_on() -> None:
+async def test_an_unknown_configuration_is_refused_and_the_device_stays_usable() -> None:
     async with served() as (_, port):
         async with connected(port) as client:
             await client.ask_import()
@@ -174,7 +174,7 @@ async def test_a_request_is_answered_by_transfers() -> None:
         assert await client.ask(READ, len(ANSWER), 1, 2) == ANSWER
 
 
-async def test_a_transfer_that_is_unlinked_is_replied_to_by_that_alone() -> None:
+async def test_an_unlinked_transfer_has_only_the_reply_to_the_unlink() -> None:
     async with served() as (_, port), connected(port) as client:
         await client.ask_import()
         await client.control(0x40, 0x09, 255, 1)
@@ -201,7 +201,7 @@ class ClockOfTest:
         return nullcontext()
 
 
-async def test_a_transfer_that_has_ended_when_it_is_unlinked_is_replied_to_with_its_data() -> None:
+async def test_a_transfer_that_ends_before_its_unlink_has_a_reply_with_data() -> None:
     clock = ClockOfTest()
     chip = VirtualFt232h(GatewayBoard(VirtualGateway()), clock=clock)
     async with served(chip) as (_, port), connected(port) as client:
@@ -214,7 +214,7 @@ async def test_a_transfer_that_has_ended_when_it_is_unlinked_is_replied_to_with_
         assert (await client.reply())[:3] == (3, writing, 0)
         reading = client.submit(1, size=16384)
         await client.control(0xC0, 0x0A, 0, 1, 1)
-        # The answer is there long since, and it is the unlinking that finds this out.
+        # The answer has been ready for long, and the unlink request reveals it.
         clock.time = 1.0
         client.unlink(reading)
         command, number, status, data = await client.reply(reading)
@@ -223,7 +223,7 @@ async def test_a_transfer_that_has_ended_when_it_is_unlinked_is_replied_to_with_
 
 
 @pytest.mark.slow
-async def test_a_client_with_more_transfers_under_way_than_a_kernel_has_is_hung_up_on() -> None:
+async def test_a_client_with_too_many_transfers_is_disconnected() -> None:
     async with served() as (device, port):
         async with connected(port) as client:
             await client.ask_import()
@@ -239,26 +239,26 @@ async def test_a_client_with_more_transfers_under_way_than_a_kernel_has_is_hung_
 
 
 @pytest.mark.parametrize("port", [0, -1, 65536], ids=["taken", "below", "above"])
-async def test_a_port_that_cannot_be_had_is_one_clear_error(port: int) -> None:
+async def test_an_unavailable_port_causes_one_clear_error(port: int) -> None:
     async with served() as (_, taken):
         with pytest.raises(ConnectError, match=r"^USB/IP port -?\d+ of 127.0.0.1 (is in use|can't be opened)"):
             async with serve_usbip(VirtualFt232h(Unconnected()), port=port or taken):
                 pass
 
 
-async def test_a_host_that_is_no_name_is_one_clear_error() -> None:
+async def test_an_invalid_host_name_causes_one_clear_error() -> None:
     with pytest.raises(ConnectError, match=r"USB/IP port 3240 of a\.\.b can't be opened"):
         async with serve_usbip(VirtualFt232h(Unconnected()), host="a..b"):
             pass
 
 
-async def test_a_host_that_is_empty_is_not_every_host() -> None:
+async def test_an_empty_host_is_refused() -> None:
     with pytest.raises(ConnectError, match="USB/IP port 0 of '' can't be opened"):
         async with serve_usbip(VirtualFt232h(Unconnected()), port=0, host=""):
             pass
 
 
-async def test_a_stalled_endpoint_is_told_and_cleared() -> None:
+async def test_a_stalled_endpoint_is_reported_and_cleared() -> None:
     async with served() as (device, port), connected(port) as client:
         await client.ask_import()
         device.halt(0x02)
@@ -281,7 +281,7 @@ async def test_unplugging_ends_the_transfers_and_the_connection() -> None:
             await client.read(1)
 
 
-async def test_one_client_has_the_device_and_the_next_gets_it_afterwards() -> None:
+async def test_the_device_is_used_by_one_client_at_a_time() -> None:
     async with served() as (device, port):
         async with connected(port) as first, connected(port) as second:
             assert await first.ask_import() == 0
@@ -300,7 +300,7 @@ async def test_one_client_has_the_device_and_the_next_gets_it_afterwards() -> No
         bytes.fromhex("0111 8003 00000000") + b"9-9".ljust(32, b"\0"),
     ],
 )
-async def test_nonsense_ends_the_connection_and_nothing_else(nonsense: bytes) -> None:
+async def test_invalid_data_ends_only_the_connection(nonsense: bytes) -> None:
     async with served() as (_, port):
         async with connected(port) as client:
             client.send(nonsense)
