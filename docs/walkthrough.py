@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 WALKTHROUGHS = [
     "docs/tutorials/rover.md",
+    "docs/tutorials/spec.md",
     *(f"docs/how-to/{name}.md" for name in ("own-core", "stop-safely", "act-at-a-time", "unknown-board")),
 ]
 """The pages that are one."""
