@@ -27,12 +27,12 @@ class Box(NamedTuple):
     right: tuple[str, ...] = ()
 
     def at(self, pin: str) -> tuple[int, int]:
-        """Return where a pin is."""
+        """Return the position of a pin, in units of the picture."""
         side, x = (self.left, self.x) if pin in self.left else (self.right, self.x + self.width)
         return x, self.y + _HEAD + _ROW * side.index(pin)
 
     def draw(self) -> str:
-        """Return it as SVG."""
+        """Return the box as SVG."""
         height = _HEAD + _ROW * max(len(self.left), len(self.right))
         parts = [
             (
