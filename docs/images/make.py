@@ -114,6 +114,8 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,
     "wiring-motor.svg": wiring.motor,
+    "core-of-your-own.svg": wiring.own_core,
+    "lease.svg": wiring.lease,
     **{SYMBOL.format(core.folder): functools.partial(symbol, core) for core in installed_cores()},
     "doctor.svg": doctor,
     "watch.svg": watch,
