@@ -1,7 +1,7 @@
-"""The documentation: Markdown (MyST) through Sphinx, built by `make docs`, where a warning is an error.
+"""The documentation: Markdown (MyST) through Sphinx, built by `make docs`. A warning is an error.
 
-Pages follow Diataxis: tutorials teach, how-to guides help with a task, reference pages are looked up, explanations say
-why. Python and console blocks in them are tests; the conftest.py at the top of the repository says how.
+Pages follow Diataxis: tutorials teach, how-to guides help with a task, reference pages are looked up, explanations give
+reasons. Python and console blocks in them are tests: see conftest.py at the top of the repository.
 """
 
 import re
@@ -16,7 +16,7 @@ import unity_link.link.publishing
 from docs.ul_lexer import UlLexer
 from unity_link.protocol.wire.arrays import Words
 
-# Known to type checkers alone, since numpy is imported late; here the signature of a sample needs it.
+# Only type checkers know this name, because numpy is imported late; the signature of a sample needs it here.
 vars(unity_link.link.publishing)["Words"] = Words
 
 _DIRECTIVE = re.compile(r"^<!-- (\{[\w-]+\}.*?)^-->$", re.DOTALL | re.MULTILINE)
@@ -48,7 +48,7 @@ html_copy_source = False
 
 
 def write_pages_of_cores(folder: Path) -> None:
-    """Write a page for each core, which includes the datasheet in the folder of that."""
+    """Write a page for each core, which includes the datasheet in the folder of the core."""
     folder.mkdir(exist_ok=True)
     for datasheet in sorted(_CORES.glob("*/README.md")):
         name = datasheet.parent.name
@@ -56,17 +56,17 @@ def write_pages_of_cores(folder: Path) -> None:
 
 
 def show_directives(_: Sphinx, __: str, text: list[str]) -> None:
-    """Make a page that is readable on a forge one for Sphinx.
+    """Convert a page that is readable on a forge into one for Sphinx.
 
     Directives are in comments, `<!-- {toctree}` to `-->`, which a forge hides. Links to the datasheets of cores and
-    to the list of changes lead to files outside of this folder, which Sphinx has as pages.
+    to the list of changes lead to files outside of this folder; Sphinx has pages for them.
     """
     shown = _DIRECTIVE.sub(r"```\1```", text[0]).replace("](../CHANGELOG.md)", "](/changelog.md)")
     text[0] = _DATASHEET.sub(r"](/reference/cores/pages/\1.md", shown)
 
 
 def setup(app: Sphinx) -> None:
-    """Register the lexer for blocks of `ul`, uncomment directives, and have pages of the cores."""
+    """Register the lexer for blocks of `ul`, uncomment directives, and write the pages of the cores."""
     app.connect("source-read", show_directives)
     app.add_lexer("ul", UlLexer)
     # A test makes single pages, from a copy of this file.

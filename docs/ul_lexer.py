@@ -1,4 +1,4 @@
-"""The colours of UL-spec in the pages: what `unity_link.spec` cuts a spec into, as tokens of Pygments."""
+"""Highlights UL-spec in the pages: the tokens of `unity_link.spec` as tokens of Pygments."""
 
 from typing import ClassVar
 
@@ -19,7 +19,7 @@ _NAME = r"[A-Za-z_][A-Za-z0-9_]*"
 
 
 class UlLexer(RegexLexer):  # type: ignore[misc]  # Pygments has no types
-    """UL-spec: what begins no token of the language is an `Error`."""
+    """UL-spec; text that begins no token of the language is an `Error`."""
 
     name = "UL-spec"
     aliases: ClassVar[list[str]] = ["ul"]
@@ -34,7 +34,7 @@ class UlLexer(RegexLexer):  # type: ignore[misc]  # Pygments has no types
             (words(("import", "public"), suffix=r"\b"), Keyword),
             (rf"(enum|group)([ \t]+)({_NAME})", bygroups(Keyword, Text, Name.Class)),
             (words(KINDS, suffix=r"\b"), Keyword.Type),
-            # A component's declaration or placement, and what it is called there.
+            # A component's declaration or placement, and its name there.
             (rf"(@)([ \t]*)({_NAME})", bygroups(Punctuation, Text, Name.Variable)),
             (rf"({_NAME})([ \t]*)(=)(?!=)", bygroups(Name.Attribute, Text, Operator)),
             (r"[A-Z][A-Z0-9_]*\b", Keyword.Reserved),

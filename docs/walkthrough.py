@@ -1,8 +1,8 @@
-"""A page as its reader follows it, from an empty folder: its files are written, and its commands typed.
+"""Follows a page from an empty folder, as its reader does: writes its files, and runs its commands.
 
-A name in bold in the line before a block is that of the file which has this text, or of the terminal. In a block of
-`console` each `$ command` is typed and must print what stands below it, where `...` is any text; those of
-"Terminal 2" go on beside the others until the end of the page, where they are ended by Ctrl-C.
+A name in bold in the line before a block is the name of the file with this text, or of the terminal. In a block of
+`console` each `$ command` is run and must print the lines below it; `...` is any text. Commands of "Terminal 2" run
+beside the others until the end of the page, and are then ended by Ctrl-C.
 """
 
 from __future__ import annotations
@@ -22,16 +22,17 @@ if TYPE_CHECKING:
 
 WALKTHROUGHS = [
     "docs/tutorials/rover.md",
+    "docs/tutorials/spec.md",
     *(f"docs/how-to/{name}.md" for name in ("own-core", "stop-safely", "act-at-a-time", "unknown-board")),
 ]
-"""The pages that are one."""
+"""The pages that are followed from an empty folder."""
 _ROOT = Path(__file__).parents[1]
 _BUILT = (_ROOT / "docs" / "_build", _ROOT / "docs" / "reference" / "cores" / "pages")
 PAGES = [
     _ROOT / "README.md",
     *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if not any(page.is_relative_to(built) for built in _BUILT)),
 ]
-"""All pages that are not built."""
+"""All pages in Markdown, without generated ones."""
 BESIDE = "Terminal 2"
 PATIENCE = 120.0
 """Seconds that a command may take."""
@@ -51,10 +52,10 @@ class Block(NamedTuple):
 
 
 def follow(page: Path, folder: Path) -> None:
-    """Do what a page says, in a folder.
+    """Follow a page in a folder.
 
     Raises:
-        AssertionError: a command failed, or printed something else.
+        AssertionError: a command failed, or its output differs.
     """
     with contextlib.ExitStack() as beside:
         for language, caption, text, _ in blocks(page):
@@ -79,27 +80,27 @@ def blocks(page: Path) -> Iterator[Block]:
 
 
 def files_of(page: Path) -> dict[str, str]:
-    """Return the texts of the files that a page has its reader save, by their names."""
+    """Return the texts of the files that the reader of a page saves, by their names."""
     return {block.caption: block.text for block in blocks(page) if block.caption and block.language != "console"}
 
 
 def typed(block: str) -> Iterator[tuple[str, str]]:
-    """Yield each `$ command` of a block, and what it is to print."""
+    """Yield each `$ command` of a block, and its expected output."""
     for session in ("\n" + block).split("\n$ ")[1:]:
         command, _, expected = session.partition("\n")
         yield command, expected
 
 
 def run(command: str, expected: str, folder: Path | None = None) -> None:
-    """Run a command and compare what it prints.
+    """Run a command and compare its output.
 
     Args:
-        command: as it is typed into a shell.
-        expected: what it is to print, where `...` is any text; nothing for whatever it prints.
-        folder: where it is typed; None for the working directory.
+        command: line for a shell.
+        expected: its output; `...` is any text. If it is empty, the output is not compared.
+        folder: directory of the command; None for the working directory.
 
     Raises:
-        AssertionError: it failed, or printed something else.
+        AssertionError: the command failed, or its output differs.
     """
     done = subprocess.run(  # noqa: S602  (the reader types it into a shell, too)
         command,
@@ -118,7 +119,7 @@ def run(command: str, expected: str, folder: Path | None = None) -> None:
 
 @contextlib.contextmanager
 def _running(command: str, expected: str, folder: Path) -> Iterator[None]:
-    """Run a command while the block runs, which begins when the command has printed as many lines as are expected."""
+    """Run a command during the block, which begins when the command has printed the expected number of lines."""
     with subprocess.Popen(  # noqa: S602  (as in `run`)
         f"exec {command}",
         shell=True,
@@ -139,7 +140,7 @@ def _running(command: str, expected: str, folder: Path) -> Iterator[None]:
 
 
 def _environment() -> dict[str, str]:
-    """Return an environment in which commands are those of this Python, and lines are as long as in the pages."""
+    """Return an environment with the commands of this Python, and with lines as long as in the pages."""
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     return os.environ | {"PATH": path, "COLUMNS": "120"}
 

@@ -9,26 +9,26 @@ from unity_link.virtual import VirtualGateway
 
 
 class Requests(asyncio.Protocol):
-    """Hands what comes in to the gateway, until the input ends."""
+    """Passes the input on to the gateway, until the input ends."""
 
     def __init__(self, gateway: asyncio.Transport) -> None:
         self._gateway = gateway
         self.over = asyncio.Event()
 
     def data_received(self, data: bytes) -> None:
-        """Hand on."""
+        """Pass the input on."""
         self._gateway.write(data)
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why changes nothing)
-        """End."""
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (the reason does not matter)
+        """Note the end of the input."""
         self.over.set()
 
 
 class Answers(asyncio.Protocol):
-    """Writes what the gateway sends."""
+    """Writes the answers of the gateway to standard output."""
 
     def data_received(self, data: bytes) -> None:
-        """Write, and wait until it is taken."""
+        """Write bytes of the gateway, and flush them."""
         sys.stdout.buffer.write(data)
         sys.stdout.buffer.flush()
 

@@ -24,39 +24,39 @@ class Pipes(asyncio.Transport, asyncio.SubprocessProtocol):
     """The standard input and output of a program, as one transport."""
 
     def __init__(self, protocol: asyncio.Protocol) -> None:
-        # A pipe holds no byte back; without this, answers would be waited for as long as those of a USB chip.
+        # A pipe holds no byte back. Without this the link would wait for answers as long as on a USB chip.
         super().__init__({"shortest_timeout": 0.003})
         self._protocol = protocol
 
-    # What the event loop tells
+    # Called by the event loop
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Begin: the program runs."""
-        # No check by class: the transports of uvloop are of none of asyncio's.
+        """Begin: the program has started."""
+        # No check by class: the transports of uvloop have none of asyncio's classes.
         self._program = cast("asyncio.SubprocessTransport", transport)
         self._input = cast("asyncio.WriteTransport", self._program.get_pipe_transport(0))
         self._protocol.connection_made(self)
 
     def pipe_data_received(self, fd: int, data: bytes | str) -> None:  # noqa: ARG002  (its output is the only pipe)
-        """Hand on what the program has written."""
+        """Pass on the output of the program."""
         self._protocol.data_received(cast("bytes", data))
 
     def pause_writing(self) -> None:
-        """Hand on that the program does not read."""
+        """Pass on that the program does not read."""
         self._protocol.pause_writing()
 
     def resume_writing(self) -> None:
-        """Hand on that it reads again."""
+        """Pass on that the program reads again."""
         self._protocol.resume_writing()
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Hand on that the program has ended."""
+        """Pass on that the program has ended."""
         self._protocol.connection_lost(exc)
 
-    # What a link asks for
+    # Called by the link
 
     def write(self, data: bytes | bytearray | memoryview) -> None:
-        """Write to the program; what its pipe does not take waits in the event loop."""
+        """Write to the program; the event loop keeps bytes that its pipe does not take."""
         self._input.write(data)
 
     def is_closing(self) -> bool:

@@ -1,4 +1,4 @@
-"""Model of the rover of `rover.ul`, for a gateway without a rover behind it.
+"""Simulated rover of `rover.ul`.
 
 unity-link simulate examples/rover.ul --model examples/rover.py:Rover
 unity-link record "sim:examples/rover.ul?model=examples/rover.py:Rover" examples/rover.ul -o run.mcap
@@ -13,11 +13,11 @@ from unity_link.virtual.simulated import Fault, SimulatedRobot
 MOST_SPEED = 6.0
 """In rad/s, at full duty and with a full battery."""
 TIME_CONSTANT = 0.1
-"""Seconds in which a wheel comes near its speed."""
+"""Time constant of the speed of a wheel, in seconds."""
 
 
 class Rover(SimulatedRobot):
-    """Two wheels that follow their duty, a battery that they empty, and a wall 3 rad ahead."""
+    """Two wheels that follow their duty, a battery that they discharge, and a wall 3 rad ahead."""
 
     blocked = Fault("the left wheel does not turn")
 

@@ -1,4 +1,4 @@
-"""The SCARA of the Unity-Link paper moves through a few poses, and says where it is.
+"""The SCARA of the Unity-Link paper moves through a few poses, and prints its position.
 
 python examples/scara.py              # the virtual robot: no hardware
 python examples/scara.py "serial:/dev/ttyUSB0?baud=3000000"
@@ -19,14 +19,14 @@ POSES = ((40, 60, 0, 0), (40, 60, 120, 90), (-40, 30, 20, -90), (0, 0, 0, 0))
 """Shoulder, elbow and wrist in degrees, height in mm: shoulder, elbow, height, wrist."""
 CLOSE = 0.01
 PATIENCE = 10_000
-"""Samples in which a pose is reached, or never."""
+"""Number of samples after which a pose counts as not reached."""
 
 
 async def main(url: str) -> None:
     """Move through the poses.
 
     Raises:
-        UnityLinkError: where the gateway is not that of a SCARA, or is lost.
+        UnityLinkError: the gateway is not that of a SCARA, or is lost.
     """
     async with unity_link.connect(url) as link:
         robot = Scara(link)

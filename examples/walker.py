@@ -44,7 +44,7 @@ def gait(time: float) -> list[float]:
 
 
 class Watcher:
-    """Keeps what the samples of the robot's group say."""
+    """Stores the samples of the robot's group."""
 
     def __init__(self, joints: Sequence[Any]) -> None:
         self.batches: list[Batch] = []
@@ -52,8 +52,8 @@ class Watcher:
         self._joints = joints
 
     async def watch(self, samples: GroupSubscription) -> None:
-        """Take samples as they come."""
-        # They end with the block of the subscription.
+        """Store samples until the subscription ends."""
+        # The samples end with the block of the subscription.
         with contextlib.suppress(StopAsyncIteration):
             while True:
                 batch = await samples.take()
@@ -63,10 +63,10 @@ class Watcher:
 
 
 async def walk(url: str) -> Watcher:
-    """Walk, and return what was seen.
+    """Walk, and return the watcher with all samples.
 
     Raises:
-        UnityLinkError: where the gateway is not that of a walker, or is lost.
+        UnityLinkError: the gateway is not that of a walker, or is lost.
     """
     async with unity_link.connect(url) as link:
         robot = Walker(link)

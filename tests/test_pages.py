@@ -108,8 +108,8 @@ def test_the_clock_of_sim_is_that_of_its_url_and_not_of_the_spec(option: str, cl
 
 def test_the_program_of_the_first_page_prints_where_the_robot_is(tmp_path: Path) -> None:
     page = ROOT / "README.md"
-    program = tmp_path / "arm.py"
-    program.write_text(files_of(page)["arm.py"], encoding="utf-8")
+    program = tmp_path / "move.py"
+    program.write_text(files_of(page)["move.py"], encoding="utf-8")
     done = subprocess.run(
         [sys.executable, str(program)], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
     )

@@ -136,7 +136,8 @@ def with_classes(program: str, specs: dict[str, str], folder: Path, own: Path) -
             assert before is not None, load[0]
             spec = before[1]
         else:
-            spec = specs.get(path) or (ROOT / "examples" / Path(path).name).read_text(encoding="utf-8")
+            found = next(file for file in (ROOT / path, ROOT / "examples" / path) if path in specs or file.exists())
+            spec = specs.get(path) or found.read_text(encoding="utf-8")
         module, robot = write_module(spec, folder, own / (path or "page.ul"))
         imports.add(f"import {module}")
         return f"{module}.{robot}"

@@ -9,7 +9,7 @@ from docs.images.make import PICTURES
 from unity_link.boards.loading import load_board
 
 IMAGES = Path(__file__).parents[1] / "docs" / "images"
-WIRING = sorted(name for name in PICTURES if name.startswith(("wiring-", "core-")))
+WIRING = sorted(name for name in PICTURES if name.startswith(("wiring-", "core-", "lease")))
 
 
 @pytest.mark.parametrize("name", WIRING)

@@ -2,6 +2,7 @@
 
 A proxy uses a `Bus`, with or without a spec, and provides one for the signals and modules inside it: the link itself,
 or a wrapper of an outer module, as the one of a TosNet network that commits written words::
+
     pool = Memory(link, 0x80, size=64)
     await pool.store(range(64))
 """

@@ -1,4 +1,4 @@
-"""Draws `examples/balancer`: runs its program and its physics on modelled time, and the picture moves as they did."""
+"""Draws `examples/balancer` as an animation: runs its program and its physics on modelled time."""
 
 import asyncio
 import contextlib
@@ -15,9 +15,9 @@ from unity_link.virtual.simulating import load_model
 
 FOLDER = Path(__file__).parents[2] / "examples" / "balancer"
 PUSHED, LET_GO, PULLED, SECONDS = 2.0, 2.1, 5.0, 7.0
-"""Seconds at which a hand pushes it and lets go, at which the cable is pulled, and at which the picture begins anew."""
+"""Seconds at which a hand pushes and lets go, the cable is pulled, and the picture repeats."""
 RATE = 25
-"""Looks in a second."""
+"""Recorded states in a second."""
 SCALE = 700
 """Units of the picture for a metre."""
 
@@ -35,7 +35,7 @@ class Look(NamedTuple):
 
 
 def draw_balancer(picture: Path) -> None:
-    """Draw it standing, pushed, and behind a pulled cable."""
+    """Draw the robot in balance, pushed, and after its cable is pulled."""
     with asyncio.Runner(loop_factory=ModelledTimeLoop) as runner:
         looks = runner.run(_watch())
     picture.write_text(_svg(looks))

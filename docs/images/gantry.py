@@ -1,4 +1,4 @@
-"""Draws `examples/gantry`: runs its program and its physics on modelled time, and the picture moves as they did."""
+"""Draws `examples/gantry` as an animation: runs its program and its physics on modelled time."""
 
 import asyncio
 import contextlib
@@ -19,15 +19,15 @@ FOLDER = Path(__file__).parents[2] / "examples" / "gantry"
 AFTER = 2.0
 """Seconds from the e-stop to the end of the picture."""
 RATE = 200
-"""Looks in a second."""
+"""Recorded states in a second."""
 FRAME = 8
-"""Looks from one frame of the picture to the next; between them it goes evenly."""
+"""Recorded states from one frame of the picture to the next; motion between frames is even."""
 SCALE = 9.0
 """Units of the picture for a millimetre."""
 
 
 class Look(NamedTuple):
-    """State of the gantry at an instant; places in mm."""
+    """State of the gantry at an instant; positions in mm."""
 
     x: float
     y: float
@@ -37,7 +37,7 @@ class Look(NamedTuple):
 
 
 def draw_gantry(picture: Path) -> None:
-    """Draw it going to its switches, drawing, and standing at its e-stop."""
+    """Draw the gantry on the way to its switches, drawing, and stopped by its e-stop."""
     with asyncio.Runner(loop_factory=ModelledTimeLoop) as runner:
         looks = runner.run(_watch())
     picture.write_text(_svg(looks))
@@ -62,7 +62,7 @@ async def _watch() -> list[Look]:
 
 
 def _drawing(looks: list[Look], number: int) -> tuple[str, list[str]]:
-    """Return the path of a flower, and how much of it is there at each frame."""
+    """Return the path of a flower, and its drawn length at each frame."""
     points, lengths = [], [0.0]
     for before, look in pairwise(looks):
         is_drawn = look.flowers == before.flowers == number

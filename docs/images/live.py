@@ -19,7 +19,7 @@ PAUSE = 2800
 
 
 def draw_live(picture: Path, *, on_phone: bool = False) -> None:
-    """Take a picture of the page: in light colours, or on a phone in dark ones."""
+    """Take a picture of the page in light colours, or on a phone in dark colours."""
     command = [PROGRAM, "live", "sim:scara", SPEC, "--allow-writes", "--no-browser", "--port", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process, sync_playwright() as playwright:  # noqa: S603
         assert process.stdout is not None

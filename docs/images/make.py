@@ -1,7 +1,7 @@
 """Makes the pictures of the documents: ``make docs-images``, or ``python -m docs.images.make [NAME...]`` for some.
 
-Each shows the real thing at a good moment: programs in a terminal, which is tmux, the live page in Chromium, and what
-the rover's tutorial plots. `peers.png` and those of docs/paper.md are made by what measures: `make bench-peers` and
+Each picture shows the real program at work: commands in a terminal (tmux), the live page in Chromium, and the plot of
+the rover's tutorial. The measurements make `peers.png` and the pictures of docs/paper.md: `make bench-peers` and
 `make table1`.
 """
 
@@ -34,13 +34,13 @@ HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 ROVER = "sim:examples/rover.ul?model=examples/rover.py:Rover"
 FRAMES = 12
-"""Frames of the picture that moves."""
+"""Number of frames of the animated picture."""
 FRAME_SECONDS = 0.6
-"""Time from one of them to the next."""
+"""Seconds from one frame to the next."""
 DRIVEN_FOR = 1.0
-"""Seconds of each movement that the picture of `watch` shows, by the clock on the wall."""
+"""Seconds of real time of each movement in the picture of `watch`."""
 PATIENCE = 60.0
-"""Seconds after which what a picture waits for has not come."""
+"""Seconds after which waiting for a pattern fails."""
 
 
 def demo(picture: Path) -> None:
@@ -93,7 +93,7 @@ def watch(picture: Path) -> None:
 
 
 def rover(picture: Path) -> None:
-    """Take the plot that the tutorial makes."""
+    """Take the plot of the tutorial."""
     with tempfile.TemporaryDirectory() as folder:
         follow(ROOT / "docs" / "tutorials" / "rover.md", Path(folder))
         picture.write_bytes(Path(folder, "run.png").read_bytes())
@@ -114,6 +114,8 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,
     "wiring-motor.svg": wiring.motor,
+    "core-of-your-own.svg": wiring.own_core,
+    "lease.svg": wiring.lease,
     **{SYMBOL.format(core.folder): functools.partial(symbol, core) for core in installed_cores()},
     "doctor.svg": doctor,
     "watch.svg": watch,
@@ -135,7 +137,7 @@ class Terminal:
         self._width, self._height = width, height
         self._scratch = tempfile.TemporaryDirectory()
         self.folder = Path(self._scratch.name)
-        """Folder whose contents go when it is closed."""
+        """Folder that is deleted with the terminal."""
 
     def __enter__(self) -> Self:
         """Open it."""
@@ -159,7 +161,7 @@ class Terminal:
         """Wait until a pattern is on the screen.
 
         Raises:
-            TimeoutError: it does not come.
+            TimeoutError: the pattern did not appear in time.
         """
         end = time.monotonic() + PATIENCE
         while not re.search(pattern, self._tmux("capture-pane", "-p").rstrip()):
@@ -168,11 +170,11 @@ class Terminal:
             time.sleep(0.05)
 
     def draw(self, title: str, name: str | None = None) -> str:
-        """Return what is on the screen as SVG, without lines at the end that are empty or wait for a command.
+        """Return the screen as SVG, without empty lines and a prompt at its end.
 
         Args:
-            title: of the window.
-            name: with which its styles begin; the title's last word without one.
+            title: title of the window.
+            name: prefix of its styles; by default the last word of the title.
         """
         screen = re.sub(r"(\n\$ ?)?\s*\Z", "", self._tmux("capture-pane", "-p", "-e"))
         console = Console(

@@ -1,14 +1,14 @@
-"""The style of a picture that moves, without a script."""
+"""The style of an animated picture without a script."""
 
 
 def style(seconds: float, moves: dict[str, list[str]], shown: dict[str, tuple[float, float]], hidden: str) -> str:
-    """Return the style of a picture whose elements move, by their classes.
+    """Return the style of a picture whose elements move by their classes.
 
     Args:
-        seconds: for which it goes until it begins anew.
-        moves: declarations of each class, as ``opacity:1``, one behind the other over all of that time.
-        shown: when the elements of a class are there: from and to which second.
-        hidden: classes that are not there where a reader wants nothing to move, with dots and commas.
+        seconds: length of the animation, after which it repeats.
+        moves: declarations of each class, such as ``opacity:1``, at equal distances over that time.
+        shown: first and last second in which the elements of a class are visible.
+        hidden: classes that are invisible if the reader prefers reduced motion, with dots and commas.
     """
     rules = [f".{name}{{animation:{name} {seconds:g}s linear infinite}}" for name in moves]
     rules += [f".{name}{{animation:{name} {seconds:g}s step-end infinite}}" for name in shown]
@@ -30,7 +30,7 @@ def _keyframes(name: str, declarations: list[str]) -> str:
 
 
 def _shown(name: str, begin: float, end: float) -> str:
-    """Return keyframes of what is there from one part of the time to another."""
+    """Return keyframes of elements that are visible from one part of the time to another."""
     hidden = "" if begin == 0 else "0%{opacity:0}"
     gone = "" if end >= 1 else f"{100 * end:.4g}%{{opacity:0}}"
     return f"@keyframes {name}{{{hidden}{100 * begin:.4g}%{{opacity:1}}{gone}}}"

@@ -1,4 +1,4 @@
-"""Draws how a medium is wired to an FPGA: boxes with pins on their sides, and lines between pins, as SVG."""
+"""Draws wiring and timing as SVG: boxes with pins on their sides, lines between pins, and levels over time."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ class Box(NamedTuple):
     right: tuple[str, ...] = ()
 
     def at(self, pin: str) -> tuple[int, int]:
-        """Return where a pin is."""
+        """Return the position of a pin, in units of the picture."""
         side, x = (self.left, self.x) if pin in self.left else (self.right, self.x + self.width)
         return x, self.y + _HEAD + _ROW * side.index(pin)
 
     def draw(self) -> str:
-        """Return it as SVG."""
+        """Return the box as SVG."""
         height = _HEAD + _ROW * max(len(self.left), len(self.right))
         parts = [
             (
@@ -93,6 +93,34 @@ def symbol(name: str, pins: dict[str, str], picture: Path) -> None:
     lines = [_wire((10, box.at("signals")[1]), box.at("signals"), "<->")]
     lines += [_wire(box.at(pin), (200, box.at(pin)[1]), arrow) for pin, arrow in pins.items()]
     picture.write_text(_picture(210, 20 + _HEAD + _ROW * max(1, len(pins)), [box.draw(), *lines]))
+
+
+def own_core(picture: Path) -> None:
+    """Draw a core of one's own between the generated register bank and a pin."""
+    ports = (("period", "->"), ("period_written", "->"), ("flashes", "<-"))
+    names = tuple(name for name, _ in ports)
+    bus = Box("PC", 20, 20, 60, left=(), right=("link",))
+    bank = Box("register bank, generated", 150, 20, 190, left=("bus",), right=names)
+    core = Box("blink.vhd", 440, 20, 150, left=names, right=("light",))
+    board = Box("board", 660, 20, 80, left=("led0",))
+    boxes = [box.draw() for box in (bus, bank, core, board)]
+    lines = [_wire(bus.at("link"), bank.at("bus"), "<->"), _wire(core.at("light"), board.at("led0"), "->")]
+    lines += [_wire(bank.at(name), core.at(name), arrow) for name, arrow in ports]
+    picture.write_text(_picture(760, 60 + _HEAD + _ROW * len(ports) - 20, [*boxes, *lines]))
+
+
+def lease(picture: Path) -> None:
+    """Draw a lease over time: kicks of a program that dies, the end of the lease, and its outputs."""
+    kicks, end = (130, 210, 290), 430
+    parts = [_text(20, y, name, "start") for y, name in ((54, "program"), (104, "enable"), (154, "motor"))]
+    parts += [_path(f"M {x} 62 V 38", 'marker-end="url(#to)"') + _text(x, 28, "kick", "middle") for x in kicks]
+    parts += [_text(345, 54, "dies here", "middle"), _text(640, 54, "time", "end")]
+    parts.append(_path("M 110 62 H 640", 'marker-end="url(#to)"'))
+    for y, delay in ((110, 0), (160, 12)):
+        parts.append(_path(f"M 110 {y} V {y - 22} H {end + delay} V {y} H 640"))
+    parts += [_path(f"M {kicks[-1]} 190 H {end}", 'marker-start="url(#to)" marker-end="url(#to)"')]
+    parts += [_text((kicks[-1] + end) // 2, 208, "time-out", "middle"), _text(end + 26, 152, "off", "start")]
+    picture.write_text(_picture(660, 220, parts))
 
 
 def uart(picture: Path) -> None:

@@ -1,4 +1,4 @@
-"""Balances the robot of `balancer.ul`, until it is told to stop: Ctrl-C, kill -9 and a pulled cable do it alike.
+"""Balances the robot of `balancer.ul`. Ctrl-C, kill -9 and a pulled cable stop its motors.
 
 python balance.py [URL], or sim: or rtl: alone for the simulated one
 """
@@ -16,12 +16,12 @@ HERE = Path(__file__).parent
 Robot = unity_link.load(HERE / "balancer.ul")
 SIMULATED = f"{HERE}/balancer.ul?model={HERE}/plant.py:Balancer"
 TILT, RATE, SPEED, WAY = 28.6, 2.9, 0.82, 0.99
-"""Volts for each rad, rad/s, rad/s of the wheels and rad of the wheels."""
+"""Gains of the controller: volts for each rad and rad/s of the tilt, and each rad/s and rad of the wheels."""
 MOST_TILT = 0.5
 
 
 async def balance(url: str) -> None:
-    """Keep the robot upright, where it stands."""
+    """Keep the robot upright, in its place."""
     async with unity_link.connect(url) as link:
         robot = Robot(link)
         await robot.fallen.set(False)

@@ -1,6 +1,6 @@
-"""Physics of the balancer, for a gateway without a robot behind it: unity-link simulate ... --model plant.py:Balancer.
+"""Simulated physics of the balancer: unity-link simulate ... --model plant.py:Balancer.
 
-An inverted pendulum on wheels with geared motors, of which the speed follows the voltage.
+An inverted pendulum on wheels with geared motors, whose speed follows the voltage.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ RADIUS = 0.04
 SPEED = 3.0
 """Speed of a wheel in rad/s for each volt."""
 TIME_CONSTANT = 0.05
-"""Seconds in which a wheel comes near its speed."""
+"""Time constant of the speed of a wheel, in seconds."""
 LYING = math.pi / 2
-"""Angle in rad at which it lies on the floor."""
+"""Angle in rad of a robot that lies on the floor."""
 
 
 class Balancer(SimulatedRobot):
-    """The robot, which begins 0.1 rad from upright, held by a hand until its motors are armed."""
+    """The robot. It begins 0.1 rad from upright, and a hand holds it until its motors are armed."""
 
     pushed = Fault("a hand pushes it")
 
@@ -35,14 +35,14 @@ class Balancer(SimulatedRobot):
     gyro: Any
 
     def start(self) -> None:
-        """Hold it."""
+        """Put the robot into its first position, held by a hand."""
         self.tilt = 0.1
         self.speed = self.angle = self.turning = 0.0
         self.lean = 0.1
         self.is_held = True
 
     def step(self, dt: float) -> None:
-        """Turn the wheels, and let it fall."""
+        """Turn the wheels, and let the robot fall."""
         self.is_held = self.is_held and not self.drive.armed
         volts = (self.left.value + self.right.value) / 2
         gain = (SPEED * volts - self.speed) / TIME_CONSTANT

@@ -12,11 +12,11 @@ import unity_link
 HERE = Path(__file__).parent
 Gantry = unity_link.load(HERE / "gantry.ul")
 SIMULATED = f"{HERE}/gantry.ul?model={HERE}/plant.py:Gantry&fault=visitor"
-DT = 0.002  # seconds from one place to the next
+DT = 0.002  # seconds from one point to the next
 
 
 def flower() -> Any:
-    """Return places of x, y and z in mm from their switches: there, once round it, and back; shape (3, rows)."""
+    """Return the path of x, y and z in mm from the switches: to the flower, around it and back; shape (3, rows)."""
     slow, fast, turn = (3 * s**2 - 2 * s**3 for s in (np.linspace(0, 1, rows) for rows in (300, 100, 1000)))
     angle, radius = 2 * np.pi * turn, 8 - 3 * np.cos(10 * np.pi * turn)
     drawing = np.array([16 + radius * np.cos(angle), 13 + radius * np.sin(angle), np.full(len(turn), 4)])
@@ -26,7 +26,7 @@ def flower() -> Any:
 
 
 async def draw(url: str) -> None:
-    """Go to the switches, and draw flowers from there, each place of them in its clock cycle."""
+    """Go to the switches, then draw flowers, each point of them in its clock cycle."""
     async with unity_link.connect(url) as link:
         robot, path, zeros, values = Gantry(link), flower(), dict[Any, float](), dict[Any, Any]()
         homes: dict[Any, Any] = {robot.x: robot.x_home, robot.y: robot.y_home, robot.z: robot.z_home}
@@ -44,7 +44,7 @@ async def draw(url: str) -> None:
             for axis, places in zip(homes, path, strict=True):
                 speeds = np.maximum(np.abs(np.diff(places, prepend=places[:1])) / DT, 1)
                 values |= {axis.position_cmd: zeros[axis] + places, axis.maxvel: speeds}
-                await axis.maxaccel.set(0)  # the path speeds up; that of the spec is back where the lease ends
+                await axis.maxaccel.set(0)  # the path sets the pace; the spec's limit returns with the lease's end
             while True:
                 rows = await robot.plan.play(DT * np.arange(path.shape[1]), values, lead=0.2, lease=lease)
                 print("a flower of", rows, "places, each in its clock cycle")

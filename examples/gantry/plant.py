@@ -1,7 +1,7 @@
-"""Physics of the gantry, for a gateway without one behind it: unity-link simulate ... --model plant.py:Gantry.
+"""Simulated physics of the gantry: unity-link simulate ... --model plant.py:Gantry.
 
-Three stepper motors, each with a mass. What they push is a sine of the way by which the rotor is behind the field, so a
-motor that is asked for too much loses steps, and one without current stands still by friction alone.
+Three stepper motors, each with a mass. The force is the sine of the distance between rotor and field. So a motor that
+is driven too hard loses steps, and friction stops a motor without current.
 """
 
 from __future__ import annotations
@@ -12,31 +12,31 @@ from typing import Any
 from unity_link.virtual.simulated import Fault, SimulatedRobot
 
 STRENGTH = 8000.0
-"""Acceleration in mm/s2 that a motor gives at most."""
+"""Greatest acceleration of a motor, in mm/s2."""
 DAMPING = 25.0
-"""Part of what a rotor is slower than its field that it gains in a second, by induction."""
+"""Damping by induction, in 1/s: acceleration for each mm/s by which the rotor is slower than the field."""
 FRICTION = 4000.0
-"""Acceleration in mm/s2 that stops what has no current."""
+"""Deceleration of a motor without current, in mm/s2."""
 PITCH = 0.8
-"""Way in mm from one rest of a rotor to the next: four full steps, which are 32 steps of x and y."""
+"""Distance in mm between rest positions of a rotor: four full steps, which are 32 steps of x and y."""
 PARTS = 4
-"""Parts of a step of time: a rotor swings 40 times a second."""
+"""Number of integration steps in a step of time, because a rotor swings 40 times a second."""
 STARTS = (4.0, 3.0, 2.0)
-"""Places in mm, from its switch, in which each axis stands at first."""
+"""First position of each axis, in mm from its switch."""
 PAPER = 4.0
-"""Place of z in mm in which the pen is on the paper."""
+"""Position of z in mm at which the pen touches the paper."""
 
 
 class Motor:
-    """A stepper motor with the mass that it moves; places in mm from the switch of its axis."""
+    """A stepper motor with its mass; positions are in mm from the switch of its axis."""
 
     def __init__(self, place: float) -> None:
         self.place = self.field = self._start = place
-        """Place of the rotor, and that to which the current pulls it, or one a whole number of pitches away."""
+        """Position of the rotor, and the position to which the current pulls it, modulo the pitch."""
         self.speed = 0.0
 
     def move(self, position: float, dt: float, *, has_current: bool) -> None:
-        """Follow the steps of its driver for some time."""
+        """Move the rotor for `dt` seconds, while the driver moves the field to `position`."""
         way, part = self._start + position - self.field, dt / PARTS
         for _ in range(PARTS):
             self.field += way / PARTS
@@ -50,7 +50,7 @@ class Motor:
 
 
 class Gantry(SimulatedRobot):
-    """The gantry, whose axes stand near their switches at first."""
+    """The gantry. At first its axes are near their switches."""
 
     pressed = Fault("the e-stop is pressed")
     visitor = Fault("a visitor presses the e-stop in the middle of the second flower")
@@ -64,7 +64,7 @@ class Gantry(SimulatedRobot):
     z_home: Any
 
     def start(self) -> None:
-        """Put the axes in their places."""
+        """Put the axes into their first positions."""
         self.motors = [Motor(place) for place in STARTS]
         self.flowers = 0
         self.drawn = 0.0
