@@ -68,7 +68,7 @@ def test_samples_come_when_they_are_asked_for() -> None:
         assert next(iter(samples)).sequence == 0
 
 
-def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_closed(
+def test_closing_the_link_within_a_subscriptions_block_closes_it_too(
     recwarn: pytest.WarningsRecorder,
 ) -> None:
     with blocking.connect("sim:") as link:
@@ -82,7 +82,7 @@ def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_clo
 @pytest.mark.parametrize(
     "ask", [lambda samples: [next(samples)], blocking.BlockingSubscription.take], ids=["iterated", "taken"]
 )
-def test_samples_that_came_before_their_link_was_closed_are_given_and_then_its_end(
+def test_samples_received_before_the_link_was_closed_precede_its_error(
     ask: Callable[[blocking.BlockingSubscription], list[unity_link.Sample]],
 ) -> None:
     with blocking.connect("sim:") as link, link.subscribe([0x10]) as samples:
@@ -510,7 +510,7 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
     assert threads_of_links() == []
 
 
-def test_a_job_that_is_cancelled_keeps_nothing_of_the_call_in_which_that_happened() -> None:
+def test_cancelled_job_keeps_no_reference_to_the_call_that_cancelled_it() -> None:
     class Argument:
         pass
 

@@ -123,7 +123,7 @@ def test_every_call_that_waits_for_a_gateway_was_tried() -> None:
     assert waiting - {"close", "gateway", "statistics"} == set(CALLS)
 
 
-def test_an_interruption_while_a_connection_is_opened_again_ends_the_call_and_not_the_reconnection(
+def test_interruption_of_a_reconnecting_call_ends_only_the_call(
     tmp_path: Path, attempts: Attempts, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     class InterruptionError(TimeoutError):

@@ -65,7 +65,7 @@ def test_every_room_of_the_package_has_tests() -> None:
         assert set(found) - set(check.ALWAYS) or path.name == "gateware", path
 
 
-def test_tests_that_take_long_and_those_of_compiled_gateware_are_left_out_unless_that_has_changed() -> None:
+def test_slow_tests_and_those_of_unchanged_compiled_gateware_are_left_out() -> None:
     assert (
         check.marks_of(["unity_link/protocol/window/window.py"]) == "not slow and not campaign and not usb and not rtl"
     )

@@ -363,7 +363,7 @@ def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
     assert [one for one in caplog.records if one.levelno >= logging.ERROR] == []
 
 
-def test_callback_that_exits_in_the_threads_of_a_link_is_logged_and_samples_go_on(
+def test_callback_that_exits_in_a_links_thread_is_logged_and_samples_go_on(
     url: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     called = threading.Semaphore(0)

@@ -66,7 +66,7 @@ def test_one_that_was_closed_does_not() -> None:
     assert_quiet(lambda: run_simulated(subscribe_and_leave(left_open=False)))
 
 
-def test_a_blocking_subscription_that_was_not_closed_warns_and_ends_with_its_link() -> None:
+def test_unclosed_blocking_subscription_warns_and_ends_with_its_link() -> None:
     with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031
         with blocking.connect("sim:scara") as link:
             link.subscribe(0x88, rate_hz=100).__enter__().take()

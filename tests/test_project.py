@@ -84,7 +84,7 @@ def test_the_versions_of_both_lock_files_agree() -> None:
     assert core <= whole
 
 
-def test_peers_are_measured_with_the_versions_that_everything_else_is_locked_to() -> None:
+def test_lock_file_of_peers_has_the_versions_of_the_main_lock_file() -> None:
     whole, peers = (
         re.findall(r"^(\S+)==(\S+)", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE)
         for name in ("all", "peers")

@@ -36,7 +36,7 @@ def test_the_gateway_model_answers_as_the_document_says(example: Example) -> Non
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
-def test_every_checked_frame_has_the_right_crc_unless_its_answer_says_otherwise(example: Example) -> None:
+def test_checked_frames_have_the_right_crc_unless_answered_by_a_crc_error(example: Example) -> None:
     for (frame, from_gateway, session), behind in itertools.pairwise([*example.frames_in_sessions, (b"", False, 0)]):
         if frame.endswith(b"\r\n") or frame == b"\n" or not frame.endswith(b"\n"):
             continue

@@ -148,7 +148,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.slow
-def test_a_robot_is_tested_on_every_medium_with_noise_faults_and_modelled_time_under_asyncio_and_trio(
+def test_plugin_tests_a_robot_on_all_media_with_noise_under_asyncio_and_trio(
     folder: Path,
 ) -> None:
     (folder / "test_rover.py").write_text(TESTS)
@@ -166,7 +166,7 @@ def test_the_how_to_page_is_right(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_same_tests_run_on_a_board_but_for_those_that_look_behind_its_bus(folder: Path) -> None:
+def test_same_tests_run_on_a_board_except_those_that_need_a_virtual_gateway(folder: Path) -> None:
     (folder / "test_words.py").write_text(
         textwrap.dedent("""
             import pytest
@@ -212,7 +212,7 @@ def test_paths_of_the_ini_file_are_below_its_folder(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_links_are_opened_one_after_the_other_and_several_at_once_share_the_gateway(folder: Path) -> None:
+def test_links_opened_in_turn_and_at_once_share_the_gateway(folder: Path) -> None:
     (folder / "test_rover.py").write_text(SEVERAL)
     said = run(folder)
     assert "6 passed" in said, said

@@ -15,7 +15,7 @@ from unity_link.generate import TARGETS
 
 ROOT = Path(__file__).parent.parent
 COMMANDS = {
-    "build": "tests/boards/test_own_top.py::test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it",
+    "build": "tests/boards/test_own_top.py::test_build_makes_a_project_of_a_users_top_and_prints_its_warnings",
     "check": "tests/cli/test_spec.py::test_check_says_that_a_spec_is_good",
     "demo": "tests/cli/test_full_screen.py::test_the_demo_on_a_terminal_that_can_draw_nothing_prints_lines",
     "doctor": "tests/doctor/test_faults.py::test_mapped_memory_has_no_gateway_to_be_examined",

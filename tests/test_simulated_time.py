@@ -90,7 +90,7 @@ async def test_the_world_moves_inside_the_waiting_and_at_its_own_instants() -> N
 
 
 @on_simulated_time
-async def test_each_part_of_the_world_has_its_timer_also_where_another_one_takes_it_away() -> None:
+async def test_each_part_of_the_world_has_a_timer_that_another_part_may_cancel() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     seen: list[str] = []

@@ -58,14 +58,14 @@ def test_the_package_brings_few_modules() -> None:
     assert SLOW.isdisjoint(loaded)
 
 
-def test_the_rooms_that_programs_use_are_there_and_imported_when_they_are_asked_for() -> None:
+def test_public_packages_are_attributes_that_are_imported_on_first_use() -> None:
     assert printed(
         "import sys, unity_link; print('unity_link.data' in sys.modules);"
         "print(unity_link.data.Group.__name__, unity_link.blocking.connect.__name__, hasattr(unity_link, 'dta'))"
     ) == ["False", "Group", "connect", "False"]
 
 
-def test_single_words_are_read_written_posted_and_fenced_without_what_is_slow_to_import(url: str) -> None:
+def test_single_words_are_transferred_without_slow_imports(url: str) -> None:
     loaded = printed(
         """
         import asyncio, sys
@@ -120,7 +120,7 @@ def test_the_blocking_face_reads_single_words_without_what_is_slow_to_import(url
         "async with link.subscribe([1, 2]) as samples: await samples.publish(); await anext(samples)",
     ],
 )
-def test_numpy_is_imported_by_the_call_that_needs_it_before_it_sends_anything(call: str, pty: str) -> None:
+def test_numpy_is_imported_by_the_call_that_needs_it_before_it_sends_data(call: str, pty: str) -> None:
     code = f"""
 import asyncio, sys
 import unity_link

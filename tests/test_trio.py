@@ -207,7 +207,7 @@ def test_a_gateway_that_goes_away_is_a_lost_link(tmp_path: Path) -> None:
     run(program)
 
 
-def test_each_task_hears_of_its_own_posted_writes_and_any_of_those_of_tasks_that_are_over() -> None:
+def test_fence_raises_for_posted_writes_of_its_own_task_and_of_ended_tasks() -> None:
     async def post_and_stay(link: unity_link.Link, posted: trio.Event, heard: trio.Event) -> None:
         await link.post(5, 1)
         posted.set()

@@ -20,7 +20,7 @@ def test_a_page_is_right_from_an_empty_folder_to_its_end(page: str, tmp_path: Pa
     assert not list(tmp_path.glob("*.sock"))
 
 
-def test_the_rover_goes_from_nothing_to_a_plot_and_a_test_on_a_page_of_135_lines() -> None:
+def test_rover_tutorial_reaches_a_plot_and_a_test_within_135_lines() -> None:
     lines = ROVER.read_text(encoding="utf-8").splitlines()
     assert len(lines) <= 135
     assert max(map(len, lines)) <= 130

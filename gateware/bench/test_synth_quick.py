@@ -28,7 +28,7 @@ end architecture rtl;
 """
 
 
-def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_places_differ() -> None:
+def test_each_top_and_board_is_tried_once_and_boards_alike_share_one_run() -> None:
     tried = [together.split(", ") for together in designs()]
     boards = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
     names = {name for together in tried for name in together}

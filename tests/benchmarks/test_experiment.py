@@ -123,9 +123,7 @@ def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_rate_of_the_line(
-    bench: Workbench, stack: StackName
-) -> None:
+def test_write_takes_effect_in_a_microframe_and_a_burst_at_the_line_rate(bench: Workbench, stack: StackName) -> None:
     for row in measure_effects(bench, stack, 16):
         # A transfer begins with the next microframe; that its bytes need to pass the pins is behind it.
         assert 20 <= row.modelled.mean <= 130
@@ -135,7 +133,7 @@ def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_r
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_a_sample_waits_for_the_timer_without_send_immediate_and_for_a_microframe_with_it(stack: StackName) -> None:
+def test_sample_waits_for_the_timer_or_a_microframe_with_send_immediate(stack: StackName) -> None:
     rows = list(measure_arrivals(Workbench("model", counts_host_time=False), stack, 6))
     delays = {row.send_immediate: row.modelled for row in rows}
     assert 5_000 <= delays["off"].mean <= 16_250
@@ -169,7 +167,7 @@ def test_one_word_is_published_at_30_khz_with_none_lost(bench: Workbench) -> Non
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_the_limit_of_publishing_is_near_what_the_line_carries_and_higher_for_a_while(stack: StackName) -> None:
+def test_publishing_limit_is_near_the_line_rate_and_a_burst_may_exceed_it(stack: StackName) -> None:
     for limit in measure_limits(Workbench("model", counts_host_time=False), stack, [4, 64]):
         assert 0.7 * limit.line <= limit.modelled <= 1.001 * limit.line
         assert limit.modelled <= limit.burst_modelled <= 1e6
@@ -198,7 +196,7 @@ def test_longer_bursts_take_longer_and_move_more(bench: Workbench) -> None:
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_by_the_gateways_clock_a_short_burst_is_read_faster_than_the_line_sends_it() -> None:
+def test_short_burst_is_read_faster_than_the_line_by_the_gateway_clock() -> None:
     rows = {(row.send_immediate, row.count): row for row in measure_stamps(Workbench("rtl"), [18, 200])}
     for mode in MODES:
         assert rows[mode, 18].mean_megabits > 1.5 * LINK
@@ -314,7 +312,7 @@ def test_every_operation_has_a_table_without_and_with_send_immediate(results: Re
         assert f"\n## {heading}\n" in page
 
 
-def test_each_medium_is_there_with_both_fifos_and_none_is_faster_than_its_line(results: Results) -> None:
+def test_each_medium_has_both_fifo_sizes_and_none_exceeds_its_line_rate(results: Results) -> None:
     assert len({(row.medium, row.fifo_bytes) for row in results.media}) == len(results.media) == 10
     for row in results.media:
         assert 0 < row.answers_megabits <= 1.03 * row.line_megabits

@@ -20,7 +20,7 @@ FINISHES = [
 ]
 
 
-def test_what_is_quicker_elsewhere_is_said_before_the_table_the_quickest_first() -> None:
+def test_report_begins_with_the_peers_that_are_quicker_the_quickest_first() -> None:
     first, _, table = text(FINISHES, "a machine", 7, "peers.png").partition("## All of it")
     assert [line for line in first.splitlines() if line.startswith("- ")] == [
         "- quickest, a block on UDP: 9 words/s, **3.0 times** as quick as ours.",

@@ -89,7 +89,7 @@ HX8K_TEXT = (DATA / "hx8k_breakout.toml").read_text()
 
 
 @pytest.mark.parametrize("name", board_names())
-def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_baud_rate(name: str) -> None:
+def test_every_board_has_a_site_for_each_medium_pin_and_a_clock_for_its_baud(name: str) -> None:
     known, board = load_board(name)
     assert known == name
     assert board.pins.keys() == PINS[board.medium].keys()
@@ -104,7 +104,7 @@ def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
 @pytest.mark.parametrize(
     ("device", "lut_ram"), [("GW1N-9C", True), ("GW2A-18C", True), ("GW1NS-4", False), ("GW5A-25A", False)]
 )
-def test_a_gowin_gets_no_ram_of_luts_and_no_pins_but_those_that_its_tools_agree_on(device: str, lut_ram: bool) -> None:
+def test_gowin_uses_lut_ram_and_sspi_pins_only_if_its_tools_agree(device: str, lut_ram: bool) -> None:
     board = changed(load_board("tang_nano_9k")[1], device=device)
     assert (" -nolutram" not in FAMILIES["gowin"].synthesis(board)) == lut_ram
     # gowin_pack frees these pins on the GW5A-25A alone, and refuses what nextpnr placed otherwise.
@@ -207,7 +207,7 @@ def test_a_build_puts_the_chain_of_a_board_at_pins_of_its_headers(name: str) -> 
 
 
 @pytest.mark.parametrize("name", BUILT)
-def test_the_pin_file_of_each_family_has_sites_and_pulls_of_the_pins_of_a_design_and_no_others(name: str) -> None:
+def test_pin_file_has_sites_and_pulls_of_the_pins_of_a_design_and_no_others(name: str) -> None:
     _, board = load_board(name)
     given = board.medium_pins | {port: board.io_pins[port] for port in list(board.io_pins)[:2]}
     text = FAMILIES[board.family].pin_file(board, given)
@@ -561,7 +561,7 @@ def test_a_way_within_what_a_chip_leaves_is_none_that_is_too_late(medium: str) -
                 assert bool(too_late(medium, {(pins.clock, direction): most + 0.1})) == bool(ends[direction])
 
 
-def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_they_use(
+def test_build_takes_a_users_top_and_reports_its_files_and_their_pins(
     tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     spec = compile_text("public lamp() { pool: MEMORY(BASE=0x20); @log = 3: unsigned 8 READ(FIFO(16)); }")
@@ -777,7 +777,7 @@ def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
 
 
 @pytest.mark.parametrize("name", BUILT)
-def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_of(
+def test_every_board_builds_a_bitstream_and_a_report_of_its_parts(
     name: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _, board = load_board(name)
@@ -866,7 +866,7 @@ def test_wrong_addresses_are_one_sentence(options: list[str], sentence: str, tmp
     assert not (tmp_path / "out").exists()
 
 
-def test_a_spec_whose_samples_fit_no_datagram_is_refused_for_an_ethernet_port(tmp_path: Path) -> None:
+def test_spec_with_samples_longer_than_a_datagram_is_refused_for_ethernet(tmp_path: Path) -> None:
     spec = compile_text("public wide() { @x[200] = i: unsigned READ(PUBLISH(1, 100)); }\n")
     with pytest.raises(ArgumentError, match="and a datagram of an Ethernet port has 1378: fewer words were expected"):
         build(spec, *load_board("ulx3s_rmii"), tmp_path / "out")

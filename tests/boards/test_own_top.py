@@ -76,7 +76,7 @@ def own(folder: Path, text: str = SMALL, name: str = "small.vhd") -> Own:
 
 
 @given(st.data())
-def test_each_bit_of_a_port_is_the_pin_that_the_board_has_under_its_name_and_number(data: st.DataObject) -> None:
+def test_each_bit_of_a_port_is_the_board_pin_of_its_name_and_number(data: st.DataObject) -> None:
     name = data.draw(st.sampled_from(board_names()))
     _, board = load_board(name)
     rows = data.draw(st.lists(st.sampled_from([*board.io]), unique=True, min_size=1))
@@ -176,7 +176,7 @@ def test_a_board_without_io_says_so() -> None:
 
 
 @pytest.mark.rtl
-def test_ports_and_generics_are_those_of_the_entity_and_what_is_never_assigned_is_told(tmp_path: Path) -> None:
+def test_ports_and_generics_of_an_entity_are_read_and_unassigned_reported(tmp_path: Path) -> None:
     top = own(tmp_path)
     found = convert_own(top, {"baud": 9600, "clock_hz": 25_000_000})
     assert (found.module, found.generics) == ("small", {"baud": 9600})
@@ -262,7 +262,7 @@ def test_files_that_are_no_top_are_refused_in_one_sentence(tmp_path: Path) -> No
 
 
 @pytest.mark.rtl
-def test_a_unit_with_the_name_of_one_that_is_made_from_the_spec_or_of_the_gateware_is_refused(tmp_path: Path) -> None:
+def test_unit_with_the_name_of_a_generated_or_gateware_unit_is_refused(tmp_path: Path) -> None:
     for name in ("panel_registers", "ul_uart", "board_reset"):
         other = files(tmp_path, f"entity {name} is end entity;", "other.vhd")
         mine = read_own(files(tmp_path, SMALL, "small.vhd"), [other])
@@ -313,7 +313,7 @@ def test_a_project_has_copies_of_the_users_files_and_the_pins_that_they_use(name
 
 
 @pytest.mark.rtl
-def test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it(tmp_path: Path) -> None:
+def test_build_makes_a_project_of_a_users_top_and_prints_its_warnings(tmp_path: Path) -> None:
     files(tmp_path, PAGE["panel.ul"], "panel.ul")
     files(tmp_path, SMALL.replace("Led", "led").replace("0 to width", "work.p.high downto 0"), "small.vhd")
     files(tmp_path, "package p is constant high : natural := 2; end package;", "p.vhd")
@@ -347,7 +347,7 @@ def test_a_further_file_that_is_not_there_is_told_by_its_name(tmp_path: Path) ->
 
 @pytest.mark.slow
 @pytest.mark.rtl
-def test_the_page_of_own_vhdl_makes_a_bitstream_and_an_interrupted_build_leaves_nothing(tmp_path: Path) -> None:
+def test_own_vhdl_page_builds_a_bitstream_and_interruption_leaves_no_files(tmp_path: Path) -> None:
     for name, text in PAGE.items():
         (tmp_path / name).write_text(text)
     (command,) = re.findall(

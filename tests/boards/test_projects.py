@@ -154,7 +154,7 @@ def test_each_pin_has_a_delay_or_is_in_no_clock(name: str, medium: str, tmp_path
 
 
 @pytest.mark.parametrize("medium", ["ft245_sync", "rmii", "mii", "rgmii"])
-def test_clocks_of_a_chip_come_before_the_files_of_entities_that_ask_for_them(medium: str, tmp_path: Path) -> None:
+def test_clock_constraints_precede_the_files_of_entities_that_refer_to_them(medium: str, tmp_path: Path) -> None:
     said = evaluated(make_project(LAMP, "mine", on_medium("arty_a7", medium), tmp_path), _VIVADO)
     is_scoped = ["-ref" in words for words in said if words[0] == "read_xdc"]
     assert is_scoped == sorted(is_scoped)

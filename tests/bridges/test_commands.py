@@ -87,9 +87,7 @@ def test_what_was_given_before_the_end_is_written_and_nothing_after_it(robot_typ
     assert noted(notes) == list(range(10_000))
 
 
-def test_a_bad_value_spoils_none_of_the_others_and_each_kind_of_fault_of_each_signal_is_told_once(
-    robot_type: Any, notes: Path
-) -> None:
+def test_bad_value_spoils_no_other_and_each_kind_of_fault_is_reported_once(robot_type: Any, notes: Path) -> None:
     told: list[str] = []
 
     async def write() -> int:

@@ -223,7 +223,7 @@ def test_a_recording_with_one_thing_wrong_is_read_or_refused_in_one_sentence(rec
 
 
 @pytest.mark.campaign
-def test_each_recording_with_one_thing_wrong_is_read_or_refused_in_one_sentence(recorded: Path) -> None:
+def test_recording_with_one_fault_is_read_or_refused_in_one_sentence(recorded: Path) -> None:
     check(read_cases(recorded, 0, 1), 747)
 
 

@@ -65,7 +65,7 @@ def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken(steps: list
         assert at == pytest.approx(1000.0 + now, abs=2 * MOST_DRIFT * now + 1e-6)
 
 
-def test_where_the_first_sample_was_late_the_others_soon_stand_where_they_were_taken() -> None:
+def test_later_samples_get_their_true_times_soon_after_a_late_first_sample() -> None:
     clock = Clock(most_slew=0.5)
     seen = clock.instants(0, [0.0], [1000.3])
     for step in range(1, 101):
@@ -106,7 +106,7 @@ def test_a_clock_of_this_machine_that_was_set_is_followed(step: float) -> None:
 
 
 @pytest.mark.parametrize("late", [11.0, 3600.0])
-def test_samples_that_have_waited_for_this_program_stand_where_they_were_taken(late: float) -> None:
+def test_samples_that_waited_for_this_program_get_their_true_times(late: float) -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     seen = clock.instants(0, [6.0, 7.0, 8.0], [1001.0 + late] * 3)

@@ -72,7 +72,7 @@ async def test_values_are_in_the_units_of_the_spec_and_speed_comes_before_positi
 
 
 @pytest.mark.asyncio
-async def test_joints_without_a_set_point_are_left_alone_and_counts_are_whole_numbers() -> None:
+async def test_joints_without_a_set_point_keep_theirs_and_counts_are_whole_numbers() -> None:
     async with unity_link.connect("sim:") as link:
         joints = commands_of(unity_link.load(compile_text(COUNTED))(link))
         assert by_path(joints.of_array("position", [3.0, math.nan])) == {"a.p": 3}
@@ -113,7 +113,7 @@ async def test_a_value_that_no_number_holds_in_the_unit_of_the_spec_is_a_sentenc
     order=st.permutations(range(4)),
 )
 @on_simulated_time
-async def test_an_array_asks_for_what_a_state_of_the_same_values_in_any_order_asks_for(
+async def test_array_and_state_of_the_same_values_in_any_order_are_one_command(
     values: list[float], order: list[int]
 ) -> None:
     async with unity_link.connect("sim:scara") as link:

@@ -19,7 +19,7 @@ NUMBERS = st.integers(-2, 2).map(float)
 
 
 @given(rows=st.lists(st.tuples(NUMBERS, NUMBERS), min_size=1, max_size=12), cut=st.integers(1, 12))
-def test_a_velocity_has_the_sign_of_the_last_move_however_samples_are_cut_into_batches(
+def test_velocity_has_the_sign_of_the_last_move_however_batches_are_cut(
     rows: list[tuple[float, float]], cut: int
 ) -> None:
     positions = np.array(rows)

@@ -326,7 +326,7 @@ def test_words_without_a_spec_have_a_plot_each(page: Page) -> None:
 
 
 @needs_chromium
-def test_a_whole_number_that_is_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
+def test_whole_number_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
     with shown(page, "sim:?data_bits=64", "--watch", "0x10", "--allow-writes"):
         number = page.locator("#write-word_10")
         expect(number).to_be_enabled()
@@ -388,7 +388,7 @@ def test_a_curve_has_a_gap_before_a_sample_that_others_are_missing_before(page: 
     [(1.02, [], [7, 7]), (9.0, [], [None, None]), (9.0, [8.9], [8, 8]), (9.0, [1.1], [None, None])],
     ids=["one was lost", "the gateway was away", "polled before the others went on", "polled after the others stopped"],
 )
-def test_in_a_plot_of_several_streams_no_value_from_before_the_gateway_was_away_is_held(
+def test_plot_of_several_streams_holds_no_value_from_before_an_absence(
     page: Page, began: float, polled: list[float], shown_then: list[float | None]
 ) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -478,7 +478,7 @@ def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(page: Page) -> None:
+def test_plot_window_matches_its_list_when_the_browser_returns_to_the_page(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
         page.locator("#window").select_option("60")
         page.goto("about:blank")
@@ -490,7 +490,7 @@ def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_address_of_a_program_that_was_started_anew_is_taken_in_a_page_that_is_open(page: Page) -> None:
+def test_open_page_accepts_the_address_of_a_restarted_program(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=old") as running:
         expect(page.locator("#state")).to_have_text("connected")
         expect(page.get_by_label("pos_sp", exact=True).first).to_be_disabled()

@@ -139,7 +139,7 @@ def test_a_gateway_that_is_not_there_at_the_start_is_told_in_a_sentence(tmp_path
 
 
 @pytest.mark.slow
-def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tmp_path: Path) -> None:
+def test_samples_resume_with_the_gateway_and_pages_get_both_changes_of_state(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
@@ -256,7 +256,7 @@ def test_ctrl_c_ends_it_with_one_line_whatever_is_connected(what: str) -> None:
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_it_with_one_line_while_the_gateway_is_away_and_a_write_waits(
+def test_ctrl_c_ends_live_with_one_line_while_a_write_waits_for_the_gateway(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("UNITY_LINK_TOKEN", "token")

@@ -71,7 +71,7 @@ def test_foxglove_gets_the_messages_of_recordings() -> None:
 
 
 @pytest.mark.slow
-def test_an_app_that_stops_reading_costs_the_others_and_the_page_nothing_and_no_memory() -> None:
+def test_app_that_stops_reading_delays_no_other_client_and_costs_no_memory() -> None:
     with served(FAST) as (running, url), ExitStack() as stack:
         page = stack.enter_context(looking(running))
         about = hear(page, "about")
@@ -115,7 +115,7 @@ def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
         assert at > before
 
 
-def test_ctrl_c_ends_it_with_one_line_while_an_app_reads_and_another_does_not() -> None:
+def test_ctrl_c_ends_live_with_one_line_although_one_app_does_not_read() -> None:
     with served("sim:scara") as (running, url), app(url) as (connection, _), app(url):
         for _ in range(100):
             next_message(connection)

@@ -83,7 +83,7 @@ class Talk:
 
 
 @on_simulated_time
-async def test_a_page_that_says_more_than_can_be_heard_is_heard_to_the_end_at_a_bounded_pace() -> None:
+async def test_messages_of_a_flooding_page_are_all_handled_at_a_bounded_pace() -> None:
     talk = Talk(1)
     await talk.begin()
     said = [str(number) for number in range(20 * MOST_FRAMES)]
@@ -97,7 +97,7 @@ async def test_a_page_that_says_more_than_can_be_heard_is_heard_to_the_end_at_a_
 
 
 @on_simulated_time
-async def test_a_page_whose_reading_was_held_up_is_not_read_from_because_its_messages_were_taken() -> None:
+async def test_paused_page_is_not_read_again_when_its_messages_are_handled() -> None:
     talk = Talk(1)
     await talk.begin()
     for _ in range(3):
@@ -117,7 +117,7 @@ async def test_small_pieces_are_heard_at_no_other_pace_than_large_ones() -> None
 
 
 @on_simulated_time
-async def test_beside_pages_that_talk_without_end_another_is_heard_at_once_and_all_together_no_more_often() -> None:
+async def test_page_is_heard_at_once_beside_flooding_pages_within_the_total_pace() -> None:
     talk = Talk(6)
     await talk.begin()
     for page in talk.pages[1:]:

@@ -269,7 +269,7 @@ def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:
     assert histogram.within == 100.0
 
 
-def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_too() -> None:
+def test_round_trips_are_measured_on_the_signals_bus_and_errors_count() -> None:
     asked: list[int] = []
 
     class Behind:
@@ -373,7 +373,7 @@ public robot() {
     ids=["none is missing", "some were lost", "it began anew", "none came for long", "none changed for long"],
 )
 @pytest.mark.parametrize("size", [1, 2, 3])
-def test_a_curve_is_interrupted_before_a_sample_that_others_are_missing_before_also_between_batches(
+def test_curve_is_interrupted_before_a_sample_after_missing_ones(
     group: str, times: list[float], epochs: list[int], lost: list[int], missing: list[int], size: int
 ) -> None:
     async def tabulate() -> list[float]:

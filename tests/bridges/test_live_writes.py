@@ -65,7 +65,7 @@ def test_every_value_is_written_once_and_in_order_however_many_wait(noted: Noted
         assert noted.values == list(range(500))
 
 
-def test_a_value_beyond_its_limits_is_refused_between_others_that_are_written(noted: Noted) -> None:
+def test_value_beyond_its_limits_is_refused_and_its_neighbours_are_written(noted: Noted) -> None:
     with noted.running(), live(noted.url, noted.spec, "--allow-writes") as running:
         with looking(running, token=TOKEN) as page:
             hear(page, "welcome")
@@ -77,7 +77,7 @@ def test_a_value_beyond_its_limits_is_refused_between_others_that_are_written(no
 
 
 @pytest.mark.slow
-def test_whatever_becomes_of_the_gateway_each_value_is_written_once_or_known_not_to_be(noted: Noted) -> None:
+def test_each_value_is_written_once_or_known_not_to_be_if_the_gateway_leaves(noted: Noted) -> None:
     outcome: dict[int, str] = {}
     with ExitStack() as stack:
         value = 0
@@ -118,7 +118,7 @@ def test_whatever_becomes_of_the_gateway_each_value_is_written_once_or_known_not
     assert len(outcome) - len(written | not_written) <= 3
 
 
-def test_a_page_that_is_killed_in_the_middle_of_a_write_has_written_each_value_once_and_others_go_on(
+def test_page_killed_during_writes_has_written_once_and_others_continue(
     noted: Noted,
 ) -> None:
     with (

@@ -18,9 +18,7 @@ from unity_link.bridges.log_once import MOST_KINDS, Faults
         ("j1.pos_sp: 500 is outside", "j1.pos_sp: nan is no value", 2),
     ],
 )
-def test_faults_that_differ_in_numbers_alone_are_one_kind_and_those_of_other_signals_are_not(
-    one: str, other: str, count: int
-) -> None:
+def test_faults_that_differ_only_in_numbers_are_one_kind_for_each_signal(one: str, other: str, count: int) -> None:
     told: list[str] = []
     faults = Faults(told.append)
 

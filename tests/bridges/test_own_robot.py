@@ -50,7 +50,7 @@ def test_the_demo_moves_a_scara_of_ones_own(tmp_path: Path) -> None:
 
 
 @pytest.mark.campaign
-def test_the_demo_moves_a_scara_of_ones_own_behind_gateware_that_is_built_for_it(tmp_path: Path) -> None:
+def test_demo_moves_a_users_scara_behind_gateware_built_for_it(tmp_path: Path) -> None:
     url = OWN["sim"].url.replace("sim:", "rtl:")
     command = [PROGRAM, "demo", url, "--duration", "3", "--json"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=600, check=True)

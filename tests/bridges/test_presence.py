@@ -34,7 +34,7 @@ async def watch(presence: Presence, samples: Subscription, seconds: float) -> li
 
 @on_simulated_time
 @pytest.mark.parametrize("rate_hz", [100, 2])
-async def test_behind_a_server_a_gateway_is_away_when_its_samples_stop_and_back_with_the_next(rate_hz: float) -> None:
+async def test_gateway_behind_a_server_is_away_while_its_samples_stop(rate_hz: float) -> None:
     gateway = Valve(VirtualGateway())
     now = asyncio.get_running_loop().time
     async with (
@@ -98,9 +98,7 @@ async def test_a_program_that_stood_still_does_not_take_that_for_silence() -> No
 @on_simulated_time
 @pytest.mark.parametrize("rate_hz", [20, 5, 2, 0.2])
 @pytest.mark.parametrize("seconds", [0.4, 1, 3, 30])
-async def test_a_program_that_stands_still_takes_that_for_no_silence_of_samples_that_stood_still_with_it(
-    rate_hz: float, seconds: float
-) -> None:
+async def test_suspended_program_does_not_take_its_own_pause_for_a_lost_gateway(rate_hz: float, seconds: float) -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
@@ -116,7 +114,7 @@ async def test_a_program_that_stands_still_takes_that_for_no_silence_of_samples_
 
 
 @on_simulated_time
-async def test_a_program_that_stood_still_notices_a_gateway_that_is_away_from_then_on() -> None:
+async def test_gateway_lost_during_a_suspension_is_noticed_afterwards() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     gateway = Valve(VirtualGateway())
@@ -138,7 +136,7 @@ async def test_a_program_that_stood_still_notices_a_gateway_that_is_away_from_th
 
 
 @on_simulated_time
-async def test_a_program_that_looks_seldom_notices_a_gateway_that_is_away_all_the_same() -> None:
+async def test_program_that_checks_rarely_still_notices_an_absent_gateway() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:

@@ -136,7 +136,7 @@ def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Pa
     assert sequence == list(range(len(sequence)))
 
 
-def test_a_file_that_was_cut_before_its_first_sample_tells_what_would_have_come(recorded: Path, tmp_path: Path) -> None:
+def test_file_cut_before_its_first_sample_still_lists_its_groups(recorded: Path, tmp_path: Path) -> None:
     whole = recorded.read_bytes()
     cut = tmp_path / "cut.mcap"
     with recorded.open("rb") as file:
@@ -171,9 +171,7 @@ def test_a_chunk_that_was_damaged_costs_no_other(tmp_path: Path) -> None:
 
 
 @given(st.data())
-def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused(
-    recorded: Path, data: st.DataObject
-) -> None:
+def test_damaged_file_is_read_as_far_as_possible_or_refused(recorded: Path, data: st.DataObject) -> None:
     damaged = bytearray(recorded.read_bytes())
     for place in data.draw(st.lists(st.integers(0, len(damaged) - 1), min_size=1, max_size=5)):
         damaged[place] = data.draw(st.integers(0, 255))
@@ -264,7 +262,7 @@ def test_a_recording_with_a_number_that_cannot_be_is_refused_with_it(
         Recording(path)
 
 
-def test_a_recording_of_a_gateway_without_groups_and_base_frequency_is_replayed(recorded: Path) -> None:
+def test_recording_of_a_gateway_without_groups_or_base_frequency_is_replayed(recorded: Path) -> None:
     head = head_of(recorded, GATEWAY_FILE)
     head.update(features=0, base_frequency_millihertz=0)
 
@@ -387,7 +385,7 @@ def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
+def test_full_disk_ends_the_recording_with_one_sentence_and_keeps_the_file(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     limit = 20_000
 
@@ -530,7 +528,7 @@ def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
+def test_recording_continues_after_a_gateway_reset_on_an_open_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -603,7 +601,7 @@ public robot() { @a = 0x10: READWRITE(PUBLISH(changed)); }
 
 @pytest.mark.slow
 @pytest.mark.parametrize("others_ask", [False, True], ids=["an idle link", "a link that others use"])
-def test_behind_a_server_an_interruption_is_noted_also_where_nothing_is_sampled_at_a_rate(
+def test_interruption_behind_a_server_is_recorded_without_periodic_groups(
     others_ask: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -654,7 +652,7 @@ public robot() {
 
 
 @pytest.mark.parametrize("step", [3600.0, -3600.0, 4.0, -4.0])
-def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_they_are(
+def test_setting_the_system_clock_does_not_change_recorded_instants(
     step: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -696,7 +694,7 @@ def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> N
     assert not was_cut(path)
 
 
-def test_a_link_that_does_not_reconnect_ends_the_recording_and_the_file_is_whole(tmp_path: Path) -> None:
+def test_lost_link_without_reconnection_ends_the_recording_with_a_whole_file(tmp_path: Path) -> None:
     path, place = tmp_path / "run.mcap", tmp_path / "gateway"
 
     async def record_until_it_is_lost() -> None:
@@ -715,7 +713,7 @@ def test_a_link_that_does_not_reconnect_ends_the_recording_and_the_file_is_whole
     assert not was_cut(path)
 
 
-def test_a_gateway_that_is_not_there_at_the_start_is_told_and_no_file_is_made(tmp_path: Path) -> None:
+def test_missing_gateway_at_the_start_is_an_error_and_no_file_is_made(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
 
     result = run("record", f"unix:{tmp_path / 'nothing'}", SPEC, "-o", path)

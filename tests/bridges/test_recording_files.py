@@ -80,7 +80,7 @@ def facts(messages: Iterator[tuple[Any, Any, Message]], topic: str) -> list[tupl
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_readers_that_seek_and_that_do_not_find_each_message_and_check_all_sums(written: bytes, topic: str) -> None:
+def test_seeking_and_streaming_readers_find_all_messages_and_right_checksums(written: bytes, topic: str) -> None:
     seeking = make_reader(io.BytesIO(written), validate_crcs=True)
     streaming = NonSeekingReader(io.BytesIO(written), validate_crcs=True)
 
@@ -306,7 +306,7 @@ def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tmp_path: Path) -> None:
+def test_mcap_recover_repairs_a_cut_recording_for_other_tools(tmp_path: Path) -> None:
     whole, cut, recovered = (tmp_path / f"{name}.mcap" for name in ("whole", "cut", "recovered"))
     record(whole, lambda recorder: recorder.samples >= 400)
     with whole.open("rb") as file:

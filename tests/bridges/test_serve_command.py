@@ -82,7 +82,7 @@ def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> N
 
 
 @pytest.mark.slow
-def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tmp_path: Path) -> None:
+def test_served_socket_is_refused_and_a_stale_socket_is_replaced(tmp_path: Path) -> None:
     place = str(tmp_path / "socket")
     with started("serve", "sim:", "--unix", place) as (process, url):
         second = run("serve", "sim:", "--unix", place)
@@ -96,7 +96,7 @@ def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tm
         assert run("read", url, "0").returncode == 0
 
 
-def test_a_socket_at_which_a_program_stands_still_with_a_full_backlog_is_told_at_once(tmp_path: Path) -> None:
+def test_socket_of_a_suspended_program_with_full_backlog_is_refused_at_once(tmp_path: Path) -> None:
     place = str(tmp_path / "socket")
     with socket.socket(socket.AF_UNIX) as still, contextlib.ExitStack() as stack:
         still.bind(place)
@@ -199,7 +199,7 @@ def test_the_token_may_come_in_the_environment() -> None:
 # systemd
 
 
-def test_systemd_is_told_when_clients_may_come_how_it_stands_and_that_it_lives(tmp_path: Path) -> None:
+def test_systemd_gets_readiness_status_and_watchdog_messages(tmp_path: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
         manager.bind(str(tmp_path / "notify"))
         manager.settimeout(60)
@@ -319,7 +319,7 @@ def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_
             assert link.statistics.damaged_frames == 0
 
 
-def test_a_client_that_stops_reading_and_one_that_talks_nonsense_disturb_nobody(tmp_path: Path) -> None:
+def test_clients_that_stop_reading_or_send_random_bytes_disturb_no_other(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with (
         started("serve", "sim:", "--unix", str(place)) as (process, url),

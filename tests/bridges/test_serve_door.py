@@ -75,7 +75,7 @@ async def test_clients_alone_count_towards_the_places_of_clients() -> None:
 
 
 @pytest.mark.asyncio
-async def test_links_are_opened_with_the_token_while_256_strangers_hold_connections() -> None:
+async def test_links_open_by_token_beside_256_unauthenticated_connections() -> None:
     async with serve("sim:", tcp=0, token=TOKEN) as server, contextlib.AsyncExitStack() as stack:
         host, port = server.urls[0].removeprefix("tcp://").split(":")
         for _ in range(256):

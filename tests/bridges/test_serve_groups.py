@@ -132,7 +132,7 @@ async def wander_and_lose(seed: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(12, 40))
-def test_clients_get_their_own_samples_and_no_number_twice_while_the_gateway_is_lost_and_they_leave(seed: int) -> None:
+def test_clients_get_their_own_samples_once_while_gateway_and_clients_vanish(seed: int) -> None:
     run_simulated(wander_and_lose(seed))
 
 
@@ -194,7 +194,7 @@ class HoldingBack(Valve):
 
 
 @on_simulated_time
-async def test_late_samples_of_a_group_that_changes_hands_reach_only_whom_they_were_taken_for() -> None:
+async def test_late_samples_of_a_reassigned_group_reach_only_their_own_client() -> None:
     async with sharing(HoldingBack(gateway_of(1))) as shared:
         one, two = call(shared), call(shared)
         for _ in range(3):
@@ -221,7 +221,7 @@ async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> 
 
 
 @on_simulated_time
-async def test_a_group_is_free_again_where_its_client_left_before_its_requests_got_through() -> None:
+async def test_group_is_freed_if_its_client_leaves_before_its_requests_are_sent() -> None:
     valve = Valve(gateway_of(1))
     async with sharing(valve) as shared, PipedLink(shared) as other:
         valve.requests_pass = False
@@ -261,7 +261,7 @@ class LosingAnswers(Valve):
     [(b"GN00\r", b"gs", True), (b"GN00\rGX00\r", b"gn", False), (b"GN00\rGX00\rGS0001000A0111\rGN00\r", b"gx", True)],
 )
 @on_simulated_time
-async def test_a_group_runs_as_its_client_has_asked_for_also_where_an_earlier_answer_comes_last(
+async def test_group_runs_as_its_client_last_asked_if_an_earlier_answer_was_lost(
     asked: bytes, lost: bytes, *, runs: bool
 ) -> None:
     async with sharing(LosingAnswers(gateway_of(1), lost)) as shared:
@@ -278,7 +278,7 @@ async def test_a_group_runs_as_its_client_has_asked_for_also_where_an_earlier_an
 
 
 @on_simulated_time
-async def test_a_group_that_is_started_while_the_gateway_is_away_for_a_moment_begins_once() -> None:
+async def test_group_started_during_a_short_absence_of_the_gateway_begins_once() -> None:
     async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
         client = call(shared)
         drop(shared)
@@ -301,7 +301,7 @@ async def test_nothing_was_due_in_an_absence_for_a_group_that_did_not_run() -> N
 
 
 @on_simulated_time
-async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_while_it_is_restored() -> None:
+async def test_missed_samples_are_counted_once_if_a_restoration_is_interrupted() -> None:
     async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
         client = call(shared)
         began = shared.loop.time()
@@ -321,7 +321,7 @@ async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_w
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored_leaves_the_server_to_others(
+async def test_server_survives_a_client_that_leaves_while_its_groups_are_restored(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
@@ -342,7 +342,7 @@ async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored
 
 
 @on_simulated_time
-async def test_a_send_immediate_mode_that_two_clients_want_holds_when_the_first_leaves() -> None:
+async def test_send_immediate_mode_of_two_clients_stays_when_the_first_leaves() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         one, two = call(shared), call(shared)

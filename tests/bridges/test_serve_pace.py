@@ -14,7 +14,7 @@ def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
         pace.carried(size, now)
 
 
-def test_a_quick_line_has_as_much_under_way_as_it_carries_in_the_longest_wait() -> None:
+def test_quick_line_has_as_many_bytes_in_flight_as_the_longest_wait_allows() -> None:
     pace = Pace()
     carry(pace, 40e6)
     assert 0.5 * 40e6 * LONGEST_WAIT <= pace.most_ahead <= 1.5 * 40e6 * LONGEST_WAIT

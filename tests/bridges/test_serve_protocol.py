@@ -166,7 +166,7 @@ def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[
 @pytest.mark.slow
 @settings(max_examples=examples(60))
 @given(st.lists(OPERATIONS, max_size=12), st.sampled_from([MOST_UNDER_WAY, MOST_UNDER_WAY // 3]))
-def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_once(
+def test_client_read_in_turns_gets_the_same_answers_as_one_read_at_once(
     operations: list[tuple[Any, ...]], cost: int
 ) -> None:
     begun = [("K", 0, 1, bytes), *operations]

@@ -55,7 +55,7 @@ async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
 
 
 @on_simulated_time
-async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_no_session_is_executed() -> None:
+async def test_reset_leaves_sent_requests_unknown_and_refuses_queued_session_ones() -> None:
     gateway = VirtualGateway()
     valve = Valve(gateway)
     async with sharing(valve) as shared:
@@ -137,9 +137,7 @@ async def test_the_groups_of_a_client_are_forgotten_and_free_for_others() -> Non
 @pytest.mark.parametrize("command", [b"GS0001000A0110\r", b"GN00\r", b"GP00\r", b"K0010001\r"])
 @pytest.mark.parametrize("running", [b"GN00\r", b"GP00\r"])
 @on_simulated_time
-async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_runs_nor_is_lost(
-    command: bytes, running: bytes
-) -> None:
+async def test_group_named_by_a_request_during_a_reset_neither_runs_nor_is_lost(command: bytes, running: bytes) -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
@@ -154,9 +152,7 @@ async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_ru
 
 
 @on_simulated_time
-async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed() -> (
-    None
-):
+async def test_batch_cut_by_a_reset_gets_one_true_outcome_for_each_request() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(SlowLine(gateway, 100_000)) as shared:
@@ -182,7 +178,7 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
 
 
 @on_simulated_time
-async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_be_executed() -> None:
+async def test_requests_beyond_the_window_at_a_reset_are_known_not_to_be_executed() -> None:
     gateway = VirtualGateway(GatewayInfo(id_digits=2))
     codec = Codec(gateway.info)
     valve = Valve(gateway)
@@ -210,7 +206,7 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
 
 
 @on_simulated_time
-async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_the_gateway_is_away() -> None:
+async def test_client_hears_of_a_reset_after_a_posted_write_and_during_an_absence() -> None:
     gateway = VirtualGateway()
     valve = Valve(gateway)
     async with sharing(valve) as shared:
@@ -228,7 +224,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
 
 
 @on_simulated_time
-async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_all_clients() -> None:
+async def test_gateway_reset_on_an_open_line_ends_the_sessions_of_all_clients() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
@@ -267,7 +263,7 @@ class ResetBefore(Valve):
 
 @pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"KF9AF", b"K000", b"gs"])
 @on_simulated_time
-async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_clients_and_its_absence_does_not(
+async def test_reset_during_an_absence_ends_client_sessions_and_absence_alone_not(
     reset_before: bytes,
 ) -> None:
     was_reset = bool(reset_before)

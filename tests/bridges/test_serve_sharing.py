@@ -114,7 +114,7 @@ async def run_programs(seed: int, chances: dict[str, float], *, slow: bool) -> N
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(6, 20))
 @pytest.mark.parametrize("slow", [False, True], ids=["at once", "slow line"])
-def test_each_write_is_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
+def test_writes_are_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
     run_simulated(run_programs(seed, {"loss": 0.002, "flip": 0.002, "double": 0.002}, slow=slow))
 
 
@@ -167,7 +167,7 @@ async def test_a_client_that_leaves_frees_its_groups() -> None:
 
 
 @on_simulated_time
-async def test_the_sequence_of_a_group_goes_on_when_the_gateways_group_was_lent_out_meanwhile() -> None:
+async def test_sequence_of_a_group_continues_after_another_client_used_its_slot() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
     async with sharing(gateway) as shared:
         one, two = call(shared), call(shared)
@@ -216,7 +216,7 @@ async def test_samples_come_in_the_form_that_their_client_asked_for() -> None:
 
 
 @on_simulated_time
-async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they_have_asked() -> None:
+async def test_single_read_waits_for_one_turn_of_other_clients_only() -> None:
     line = SlowLine(VirtualGateway(), 100_000)
     async with sharing(line) as shared:
         links = [PipedLink(shared) for _ in range(4)]
@@ -262,7 +262,7 @@ class InOneRead(Valve):
 
 
 @on_simulated_time
-async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_was_asked_behind_it() -> None:
+async def test_error_of_a_posted_write_precedes_the_answers_to_later_requests() -> None:
     gateway = VirtualGateway()
     RecordedBus(gateway, failing=frozenset({0x44}))
     codec = Codec(gateway.info)
@@ -298,7 +298,7 @@ async def busy_with_writes() -> AsyncIterator[
 
 
 @on_simulated_time
-async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_may_be_dead_has_left() -> None:
+async def test_new_session_begins_after_the_writes_that_a_dead_connection_left() -> None:
     async with busy_with_writes() as (bus, shared, _, writes, reads):
         # The same program by another connection: the server has not seen yet that the first one is cut.
         async with PipedLink(shared) as after:
@@ -324,7 +324,7 @@ async def test_a_new_session_does_not_wait_for_a_client_that_has_left() -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same_share_of_the_line() -> None:
+async def test_clients_with_blocks_and_clients_with_words_share_the_line_equally() -> None:
     moved = {"blocks": 0, "words": 0}
 
     async def move(name: str, link: Link) -> None:
@@ -418,7 +418,7 @@ async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(fl
 
 
 @on_simulated_time
-async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is_answered(
+async def test_posted_writes_free_their_space_when_later_reads_are_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(posted_writes, "FENCE_DELAY", 1.0)
@@ -432,7 +432,7 @@ async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is
 
 
 @on_simulated_time
-async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bounded() -> None:
+async def test_output_to_a_client_that_does_not_read_is_bounded() -> None:
     async with sharing(VirtualGateway()) as shared:
         deaf = call(shared)
         (client,) = clients_of(shared)
@@ -486,7 +486,7 @@ def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves:
 
 
 @on_simulated_time
-async def test_what_was_lost_on_the_way_of_a_client_that_has_left_is_not_sent_again() -> None:
+async def test_lost_requests_of_a_client_that_has_left_are_not_retransmitted() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     valve = Valve(gateway)
@@ -506,7 +506,7 @@ async def test_what_was_lost_on_the_way_of_a_client_that_has_left_is_not_sent_ag
 
 
 @on_simulated_time
-async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_executed() -> None:
+async def test_retransmission_is_acknowledged_only_after_the_request_was_executed() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -587,7 +587,7 @@ async def be_away(*, power: bool) -> None:
 
 
 @on_simulated_time
-async def test_a_write_of_which_it_is_unknown_whether_it_was_executed_is_not_sent_again() -> None:
+async def test_write_with_unknown_outcome_is_not_retransmitted() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     valve = Valve(gateway)
@@ -687,7 +687,7 @@ async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_ord
 
 
 @on_simulated_time
-async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind_it() -> None:
+async def test_lost_posted_write_is_reported_before_the_answers_to_later_requests() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -730,7 +730,7 @@ async def test_behind_a_half_duplex_medium_nothing_is_sent_while_an_answer_is_ow
 
 
 @on_simulated_time
-async def test_behind_a_half_duplex_medium_a_posted_write_that_is_typed_is_executed_in_silence() -> None:
+async def test_typed_posted_write_to_a_half_duplex_gateway_gets_no_answer() -> None:
     gateway = VirtualGateway(PAIR)
     RecordedBus(gateway, failing=frozenset({FAILING}))
     async with sharing(SharedPair(gateway)) as shared:

@@ -38,7 +38,7 @@ public both() {
 GATEWAY = "sim:?base_frequency_millihertz=1000000"
 
 
-def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_is(tmp_path: Path) -> None:
+def test_all_received_samples_are_handed_over_at_the_end_to_a_slow_consumer(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
     taken: dict[int, list[int]] = {0: [], 1: []}
@@ -70,7 +70,7 @@ def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_i
     assert carrier.carried == sum(map(len, taken.values()))
 
 
-def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_on(tmp_path: Path) -> None:
+def test_refused_polled_read_is_reported_once_and_others_continue(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000))
@@ -100,7 +100,7 @@ def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_o
     assert told == ["read of polled at 0x11: nothing on the bus answered (told once)"]
 
 
-def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tmp_path: Path) -> None:
+def test_polls_during_a_slow_end_are_not_lost(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
 

@@ -262,7 +262,7 @@ def gets_a_sample(link: blocking.BlockingLink) -> bool:
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed_twice() -> None:
+def test_killed_client_frees_its_groups_and_no_write_executes_twice() -> None:
     script = (
         "import asyncio, sys, unity_link\n"
         "async def main():\n"
@@ -295,7 +295,7 @@ async def read_for_ever(link: unity_link.Link) -> None:
 
 
 @pytest.mark.slow
-def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_the_next_one() -> None:
+def test_link_notices_a_killed_bridge_at_once_and_reconnects_to_the_next() -> None:
     async def use(place: str) -> None:
         with_one = unity_link.connect(url(place), timeout=PATIENCE)
         patient = await unity_link.connect(url(place), timeout=PATIENCE, reconnect=True)
@@ -352,7 +352,7 @@ def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value_once_and_others_go_on(
+def test_client_killed_during_queries_has_written_once_and_others_continue(
     tmp_path: Path,
 ) -> None:
     script = (
@@ -420,7 +420,7 @@ def router(endpoint: str) -> Iterator[None]:
 
 
 @pytest.mark.slow
-def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_through_it() -> None:
+def test_links_and_queries_survive_a_router_that_starts_late_and_restarts() -> None:
     async def use(place: str) -> None:
         with router(place):
             await asyncio.to_thread(wait_for, process, "scara at robot/1")
@@ -514,7 +514,7 @@ def test_by_default_nothing_is_open_to_other_machines() -> None:
 
 
 @pytest.mark.slow
-def test_a_second_bridge_of_a_machine_ends_with_its_summary_while_the_first_goes_on() -> None:
+def test_second_bridge_of_a_machine_ends_while_the_first_continues() -> None:
     arguments = ["zenoh", "examples/scara.ul", "--link", "sim:scara", "--prefix"]
     with program(*arguments, "first") as first, program(*arguments, "second") as second:
         for process in (first, second):

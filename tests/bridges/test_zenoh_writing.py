@@ -58,9 +58,7 @@ def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> N
 
 
 @pytest.mark.parametrize("posted", [False, True])
-def test_words_fields_and_values_of_several_words_are_written_in_the_order_of_the_objects(
-    robot_type: Any, posted: bool
-) -> None:
+def test_words_fields_and_wide_values_are_written_in_the_order_of_objects(robot_type: Any, posted: bool) -> None:
     async def write() -> dict[str, Any]:
         async with unity_link.connect("sim:") as link:
             robot = robot_type(link)

@@ -201,7 +201,7 @@ def test_a_command_whose_stderr_takes_nothing_does_its_work(command: str, code: 
     assert (result.returncode, len(result.stdout.splitlines())) == (code, lines)
 
 
-def test_watch_counts_the_samples_that_it_has_written_and_not_those_that_came_meanwhile() -> None:
+def test_watch_counts_only_the_samples_that_it_has_written() -> None:
     fast = "sim:?base_frequency_millihertz=50000000"
     result = run("watch", fast, "0x10", "--rate", "50000", "--count", "3")
     assert len(result.stdout.splitlines()) == 1 + 3

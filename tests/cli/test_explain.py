@@ -47,7 +47,7 @@ def snoop(tmp_path: Path) -> Path:
     return path
 
 
-def test_each_frame_is_a_line_with_time_direction_and_meaning_and_a_summary_comes_last(snoop: Path) -> None:
+def test_explain_prints_time_direction_and_meaning_of_frames_and_a_summary(snoop: Path) -> None:
     result = run("explain", snoop)
     assert result.returncode == 0
     lines = [" ".join(line.split()) for line in result.stdout.splitlines()]
@@ -89,7 +89,7 @@ def test_a_stretch_of_time_is_shown_alone(snoop: Path) -> None:
     assert {one["time"] for one in shown[:-1]} == {middle}
 
 
-def test_of_a_file_that_was_cut_what_is_whole_is_shown_and_the_rest_is_one_sentence(snoop: Path) -> None:
+def test_whole_records_of_a_cut_file_are_shown_and_the_cut_is_one_sentence(snoop: Path) -> None:
     whole = run("explain", snoop)
     snoop.write_bytes(snoop.read_bytes()[:-7])
     result = run("explain", snoop)

@@ -146,7 +146,7 @@ def test_what_an_eeprom_says_is_shown_for_the_port() -> None:
     assert answers[1]["description"] == "the EEPROM makes port B of the FT2232H a UART"
 
 
-def test_configure_changes_one_port_and_keeps_the_driver_that_is_named_beside_it() -> None:
+def test_configure_changes_one_port_and_keeps_the_driver_of_the_other() -> None:
     image = bytearray(build_eeprom("UART", "S1", kind=FT2232H))
     image[0] = image[1] = 0x08
     image[-2:] = checksum(image[:-2]).to_bytes(2, "little")

@@ -78,7 +78,7 @@ def assert_restored(terminal: Window, code: int) -> str:
     return left
 
 
-def test_the_demo_moves_and_loses_nothing_and_gives_the_terminal_back_at_ctrl_c(terminal: Window) -> None:
+def test_demo_moves_without_lost_samples_and_ctrl_c_restores_the_terminal(terminal: Window) -> None:
     terminal.enter("unity-link demo --duration 600; echo code $?")
     first = shoulder(terminal.wait_until(lambda screen: shoulder(screen) > 1))
     screen = terminal.wait_until(lambda screen: shoulder(screen) > first + 1)
@@ -203,7 +203,7 @@ def test_watch_into_a_file_tells_that_the_gateway_is_away_and_back(terminal: Win
         terminal.wait_for("^code 130$")
 
 
-def test_ctrl_z_leaves_the_terminal_to_the_shell_and_fg_brings_the_picture_back(terminal: Window) -> None:
+def test_ctrl_z_returns_the_terminal_to_the_shell_and_fg_shows_the_picture(terminal: Window) -> None:
     terminal.enter("unity-link watch sim: 0x10")
     terminal.wait_for("^ 0x10 +0 ")
     terminal.press("C-z")

@@ -190,7 +190,7 @@ def test_signals_are_watched_by_name() -> None:
     assert json.loads(line)["values"] == {"j1.spd_sp": pytest.approx(74.9988)}
 
 
-def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_url_says_that_it_is_known(
+def test_spec_of_another_gateway_is_refused_before_writes_unless_map_is_any(
     rover: str,
 ) -> None:
     fingerprint = compile_text(SPEC).interface().fingerprint

@@ -101,9 +101,7 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.wait_for("^no answer to r0020A within 1 s$", PROMPT)
 
 
-def test_who_types_an_id_to_a_gateway_that_was_reset_is_told_to_begin_a_session(
-    terminal: Window, tmp_path: Path
-) -> None:
+def test_request_with_an_id_after_a_reset_is_answered_with_how_to_begin(terminal: Window, tmp_path: Path) -> None:
     gateway = VirtualGateway(GatewayInfo())
     with (
         start_blocking_portal() as portal,

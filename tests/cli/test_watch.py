@@ -63,7 +63,7 @@ async def watch_lines(*, count: int | None = None, duration: float | None = None
 
 
 @on_simulated_time
-async def test_watch_waits_for_a_shared_gateway_that_goes_away_just_before_it_begins(
+async def test_watch_waits_for_a_shared_gateway_that_leaves_just_before_the_start(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     async with served(monkeypatch) as gateway:
@@ -90,7 +90,7 @@ async def test_watch_of_a_gateway_that_does_not_come_back_ends_with_its_duration
 
 
 @on_simulated_time
-async def test_watch_into_a_file_tells_that_a_gateway_behind_a_server_is_away_and_back(
+async def test_watch_into_a_file_reports_a_served_gateway_that_leaves_and_returns(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     async with served(monkeypatch) as gateway:
@@ -160,7 +160,7 @@ NAN, HUGE = math.nan, 1.7e308
         ([-HUGE, HUGE, 0.0], -HUGE, HUGE),
     ],
 )
-def test_whatever_a_float_is_the_picture_of_watch_has_its_extremes_and_a_curve_of_the_finite_ones(
+def test_watch_picture_shows_the_extremes_and_a_curve_of_the_finite_values(
     numbers: list[float], lowest: float, highest: float
 ) -> None:
     trace = watch_view.Trace()

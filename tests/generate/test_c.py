@@ -118,9 +118,7 @@ def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
-def test_generated_code_compiles_without_a_warning_in_c_and_its_headers_in_cpp(
-    word_bits: int | None, tmp_path: Path
-) -> None:
+def test_generated_c_and_its_headers_in_cpp_compile_without_warnings(word_bits: int | None, tmp_path: Path) -> None:
     spec = compile_text(FIGURE_1) if word_bits is None else every_kind(word_bits)
     files = generated("c", spec, tmp_path)
     compiled(C, [path for path in files if path.suffix == ".c"], tmp_path)
@@ -563,7 +561,7 @@ int main(int count, char **arguments) {
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize("medium", ["tcp", "unix", "pty"])
-def test_a_program_that_is_started_meanwhile_does_not_keep_the_connection_open(
+def test_child_program_does_not_keep_the_connection_open(
     runtime: list[Path], tmp_path: Path, medium: Literal["tcp", "unix", "pty"]
 ) -> None:
     (tmp_path / "program.c").write_text(HANDED_DOWN)
@@ -683,7 +681,7 @@ def test_requests_that_arrive_wrong_are_sent_again_in_order(client: Driven, faul
         assert queue.taken == list(range(100))
 
 
-def test_a_posted_write_that_is_lost_is_sent_again_before_anything_behind_it_is_done(client: Driven) -> None:
+def test_lost_posted_write_is_retransmitted_before_later_requests_execute(client: Driven) -> None:
     with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[lose("^ws000")]) as line:
         client.words(f"connect {line.url} 5")
         client.words("post 10 7")
@@ -691,7 +689,7 @@ def test_a_posted_write_that_is_lost_is_sent_again_before_anything_behind_it_is_
         assert line.count("^ws000") >= 2
 
 
-def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behind_it_go_on(client: Driven) -> None:
+def test_request_that_the_gateway_rejects_is_given_up_and_later_ones_go_on(client: Driven) -> None:
     malformed = answer("^w000", b"w%b", 99)
     with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[malformed]) as line:
         client.words(f"connect {line.url} 5")
@@ -729,7 +727,7 @@ DAMAGED_ANSWER = b"w0000\n"
 @pytest.mark.parametrize(
     ("command", "name"), [("read 10", "read"), ("wblock 10 1 2 3", "block write"), ("rblock 10 3", "block read")]
 )
-def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_fence_is_gone(
+def test_request_given_up_fails_and_a_gateway_without_fence_answers_is_lost(
     driver: Path, answer: bytes, first: str, command: str, name: str
 ) -> None:
     with Simulated(driver, Babbling(answer)) as client:
@@ -754,7 +752,7 @@ def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, an
 
 
 @pytest.mark.parametrize(("url", "repeats"), [("test:", False), ("test:0.002", True)])
-def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_medium_knows_better(
+def test_timeout_covers_the_latency_of_a_usb_chip_unless_the_medium_has_less(
     driver: Path, url: str, repeats: bool
 ) -> None:
     with Simulated(driver, VirtualGateway().receive, latency=0.0005) as client:
@@ -786,7 +784,7 @@ class Faulty:
 
 
 @pytest.mark.parametrize("times", [1, 2])
-def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(driver: Path, times: int) -> None:
+def test_damaged_answers_and_their_repetitions_are_requested_again_at_once(driver: Path, times: int) -> None:
     with Simulated(driver, Faulty(b"r..[05A]", times)) as client:
         client.words("connect test: 5")
         for _ in range(100):
@@ -798,7 +796,7 @@ def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(dr
         assert client.words("statistics")[3] == 0
 
 
-def test_what_a_line_loses_under_many_requests_is_found_by_signs_and_hardly_ever_by_a_time_out(driver: Path) -> None:
+def test_losses_among_many_requests_are_detected_almost_without_timeouts(driver: Path) -> None:
     line = NoisyLine(VirtualGateway(), Noise(1, loss=0.001, flip=0.001), Noise(2, loss=0.001, flip=0.001))
     with Simulated(driver, line.receive) as client:
         client.words("connect test: 30")
@@ -865,7 +863,7 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
 
 @pytest.mark.slow
 @BOTH_FORMS
-def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path, info: GatewayInfo) -> None:
+def test_outcomes_of_requests_at_a_reset_equal_those_of_the_python_host(driver: Path, info: GatewayInfo) -> None:
     for seed in range(24):
         chances = {"flip": 0.004 * (seed % 3), "loss": 0.002 * (seed % 4)}
         gateway, other = ObservedGateway(info), ObservedGateway(info)
@@ -902,7 +900,7 @@ def test_a_batch_costs_as_many_repetitions_as_that_of_the_host_in_python(driver:
     assert 0.8 < mine / reference < 1.2
 
 
-def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_come(driver: Path) -> None:
+def test_retransmission_begins_with_half_the_window_and_grows_with_answers(driver: Path) -> None:
     gateway, sizes = VirtualGateway(), list[int]()
 
     def losing_two(data: bytes, now: float) -> bytes:
@@ -922,7 +920,7 @@ def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_co
         client.words("close")
 
 
-def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_sign_of_loss(driver: Path) -> None:
+def test_answered_requests_are_not_retransmitted_nor_taken_for_signs_of_loss(driver: Path) -> None:
     gateway, waiting, sent = ObservedGateway(), list[bytes](), list[bytes]()
 
     def one_by_one(data: bytes, now: float) -> bytes:
@@ -942,7 +940,7 @@ def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_s
         client.words("close")
 
 
-def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_damaged_answer(driver: Path) -> None:
+def test_each_damaged_answer_costs_one_retransmission_without_flow_control(driver: Path) -> None:
     info = GatewayInfo(features=Feature(0x7F) & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64)
     with Simulated(driver, Faulty(b"r", 3, info)) as client:
         client.words("connect test: 5")
@@ -955,7 +953,7 @@ def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_dama
 @pytest.mark.slow
 @pytest.mark.parametrize("flow_control", [True, False])
 @pytest.mark.parametrize("program", ["driver", "small_driver"])
-def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_line_loses(
+def test_posted_and_answered_writes_execute_once_and_in_order_on_a_bad_line(
     request: pytest.FixtureRequest, program: str, *, flow_control: bool
 ) -> None:
     features = Feature(0x7F) if flow_control else Feature(0x7F) & ~Feature.FLOW_CONTROL
@@ -976,7 +974,7 @@ def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_
         assert [word for _, word in gateway.bus_log.writes] == list(range(600))
 
 
-def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_a_hundred_without_waiting(driver: Path) -> None:
+def test_link_opens_without_timeouts_if_one_byte_in_a_hundred_is_damaged(driver: Path) -> None:
     took = []
     for seed in range(12):
         line = NoisyLine(VirtualGateway(), Noise(2 * seed, flip=0.01), Noise(2 * seed + 1, flip=0.01))
@@ -1109,7 +1107,7 @@ def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver
         client.words("close")
 
 
-def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(driver: Path) -> None:
+def test_write_retransmitted_to_a_reset_gateway_is_perhaps_executed(driver: Path) -> None:
     gateway = ObservedGateway()
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1126,7 +1124,7 @@ def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_pe
         client.words("close")
 
 
-def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(driver: Path) -> None:
+def test_fence_reports_posted_writes_that_a_reset_gateway_did_not_execute(driver: Path) -> None:
     gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1184,7 +1182,7 @@ def test_every_write_is_executed_once_or_reported_for_twenty_minutes(driver: Pat
         random_answers.play(driver, next(seeds))
 
 
-def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(driver: Path) -> None:
+def test_later_answer_proves_that_a_request_with_a_lost_answer_was_executed(driver: Path) -> None:
     gateway = ObservedGateway()
     lost = 0
 
@@ -1204,7 +1202,7 @@ def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(
         client("close")
 
 
-def test_what_came_before_the_request_that_met_a_reset_gateway_is_perhaps_executed(driver: Path) -> None:
+def test_unanswered_request_before_a_reset_is_perhaps_executed(driver: Path) -> None:
     gateway = ObservedGateway()
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1219,7 +1217,7 @@ def test_what_came_before_the_request_that_met_a_reset_gateway_is_perhaps_execut
         client("close")
 
 
-def test_samples_stop_with_a_reset_which_is_told_soon_and_come_again_on_a_new_link(driver: Path) -> None:
+def test_samples_stop_at_a_reset_which_is_reported_and_resume_on_a_new_link(driver: Path) -> None:
     gateway = ObservedGateway(GatewayInfo(groups=2))
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1317,9 +1315,7 @@ def test_ids_go_round_their_ring_in_sessions_of_either_width(driver: Path) -> No
 
 
 @pytest.mark.parametrize("version", ["01", "02"])
-def test_a_gateway_of_another_version_is_named_with_what_to_do_and_sent_nothing_more(
-    driver: Path, version: str
-) -> None:
+def test_gateway_of_another_version_is_reported_with_a_remedy_and_left_alone(driver: Path, version: str) -> None:
     gateway = ObservedGateway()
     with Simulated(
         driver, lambda data, now: gateway.receive(data, now).replace(b"Q03", f"Q{version}".encode())
@@ -1374,7 +1370,7 @@ def test_a_gateway_without_groups_may_have_no_base_frequency(driver: Path) -> No
         client("close")
 
 
-def test_a_version_that_is_damaged_on_the_way_twice_in_the_same_words_is_asked_for_again(driver: Path) -> None:
+def test_version_damaged_twice_in_the_same_way_is_requested_again(driver: Path) -> None:
     gateway, damaged = VirtualGateway(), [b"Q02"] * 2
 
     def damaging(data: bytes, now: float) -> bytes:
@@ -1386,7 +1382,7 @@ def test_a_version_that_is_damaged_on_the_way_twice_in_the_same_words_is_asked_f
         client.words("close")
 
 
-def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(driver: Path) -> None:
+def test_half_duplex_medium_carries_one_answered_request_at_a_time(driver: Path) -> None:
     gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1423,7 +1419,7 @@ def test_an_error_that_the_protocol_does_not_have_is_an_error_of_the_gateway(dri
 TAKEN = "another program has begun a session with the gateway, and this one's is over: let both use it through"
 
 
-def test_another_program_that_begins_a_session_ends_the_link_with_what_to_do_and_it_does_not_take_the_line_back(
+def test_session_of_another_program_ends_the_link_which_does_not_retake_it(
     driver: Path,
 ) -> None:
     gateway = ObservedGateway()
@@ -1440,7 +1436,7 @@ def test_another_program_that_begins_a_session_ends_the_link_with_what_to_do_and
     assert len([frame for frame in gateway.heard if frame.startswith("K4004321")]) == 1
 
 
-def test_a_session_of_another_program_is_found_where_the_answer_to_the_question_is_lost_as_well(driver: Path) -> None:
+def test_session_of_another_program_is_detected_if_the_query_is_lost_too(driver: Path) -> None:
     gateway, lost = ObservedGateway(), iter([True] * 3)
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1457,7 +1453,7 @@ def test_a_session_of_another_program_is_found_where_the_answer_to_the_question_
 
 
 @pytest.mark.parametrize("lost", [rb"x[^\n]*\n", rb"(x|h)[^\n]*\n"], ids=["errors", "errors and fences"])
-def test_a_post_that_failed_is_told_by_the_fence_also_where_its_error_was_lost(driver: Path, lost: bytes) -> None:
+def test_fence_reports_a_failed_posted_write_even_if_its_error_was_lost(driver: Path, lost: bytes) -> None:
     gateway, losses = ObservedGateway(), iter([True] * 2)
     gateway.detach([0x89])
     gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [0x89])
@@ -1676,7 +1672,7 @@ def test_the_same_structure_subscribes_the_same_again_also_on_another_link(
         client.words("close")
 
 
-def test_what_a_subscription_was_before_or_could_not_be_does_not_count_when_it_is_asked_for_anew(driver: Path) -> None:
+def test_old_or_refused_settings_of_a_subscription_do_not_affect_a_new_one(driver: Path) -> None:
     gateway = Hearing()
     with Simulated(driver, gateway) as client:
         client.words("connect test: 5")
@@ -1692,7 +1688,7 @@ def test_what_a_subscription_was_before_or_could_not_be_does_not_count_when_it_i
         client.words("close")
 
 
-def test_samples_that_wait_are_still_there_when_a_new_subscription_was_refused(client: Driven) -> None:
+def test_queued_samples_survive_a_refused_new_subscription(client: Driven) -> None:
     with simulate("tcp") as url:
         client.words(f"connect {url} 5")
         client.words("subscribe 0 0 - 10")
@@ -1798,9 +1794,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_a_group_that_is_subscribed_already_is_refused_and_goes_on_as_do_the_others(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_second_subscription_to_a_group_is_refused_and_the_first_goes_on(runtime: list[Path], tmp_path: Path) -> None:
     spec = compile_text(
         "group first(1, TRIGGER); group second(2, TRIGGER);\n"
         "public feeder() { @a = 1: READ(PUBLISH(first)); @b = 2: READ(PUBLISH(second)); }\n"
@@ -1845,9 +1839,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_a_subscription_is_ended_by_its_own_link_alone_and_goes_on_where_another_refuses_that(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_only_the_link_of_a_subscription_can_end_it(runtime: list[Path], tmp_path: Path) -> None:
     (tmp_path / "program.c").write_text(TWO_LINKS)
     objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
     program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
@@ -1874,9 +1866,7 @@ int main(int count, char **arguments) {
 """
 
 
-def test_a_group_with_a_rate_that_another_gateway_does_not_reach_is_refused_there(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_group_with_a_rate_beyond_the_gateways_range_is_refused(runtime: list[Path], tmp_path: Path) -> None:
     spec = compile_text(
         "group slow(RATE=5); group fast(RATE=300000);\n"
         "public feeder() { @a = 1: READ(PUBLISH(slow)); @b = 2: READ(PUBLISH(fast)); }\n"
@@ -1911,7 +1901,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_signals_of_another_map_are_refused_before_anything_is_sent_unless_that_is_wanted(
+def test_signals_of_another_map_are_refused_before_writes_unless_map_is_any(
     runtime: list[Path], tmp_path: Path
 ) -> None:
     spec = compile_file(EXAMPLES / "scara.ul")

@@ -146,7 +146,7 @@ def test_an_adapter_that_echoes_is_passed_over(driver: Path) -> None:
         client.words("close")
 
 
-def test_a_gateway_that_falls_silent_behind_an_echo_is_lost_in_the_usual_time(driver: Path) -> None:
+def test_silent_gateway_on_an_echoing_line_is_lost_in_the_usual_time(driver: Path) -> None:
     gateway, is_silent = VirtualGateway(), False
 
     def silent(data: bytes, now: float) -> bytes:
@@ -161,7 +161,7 @@ def test_a_gateway_that_falls_silent_behind_an_echo_is_lost_in_the_usual_time(dr
         client("close")
 
 
-def test_a_port_whose_tx_is_wired_to_its_rx_is_named_when_no_answer_follows_the_echo(driver: Path) -> None:
+def test_port_with_tx_wired_to_rx_is_reported_if_no_answer_follows_the_echo(driver: Path) -> None:
     with Simulated(driver, lambda data, now: data) as client:
         assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO}"
         assert ECHO_PATIENCE < client.now < 2 * ECHO_PATIENCE
@@ -190,7 +190,7 @@ def test_a_line_that_changes_cr_or_lf_is_named(driver: Path, name: str, directio
 # Losses
 
 
-def test_a_line_that_loses_is_named_and_not_its_speed_where_some_questions_were_answered(driver: Path) -> None:
+def test_losses_and_not_the_speed_are_reported_if_some_queries_were_answered(driver: Path) -> None:
     gateway, answered = VirtualGateway(), itertools.count()
 
     def silent_from_the_second_on(data: bytes, now: float) -> bytes:
@@ -211,7 +211,7 @@ def test_a_session_that_does_not_begin_is_told_with_what_was_answered_before(dri
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds(driver: Path, seed: int) -> None:
+def test_link_opens_within_five_seconds_if_one_frame_in_five_is_lost(driver: Path, seed: int) -> None:
     gateway = VirtualGateway()
     towards, back = (Straying[bytes](seed + place, loss=0.2) for place in (0, 100))
 
@@ -227,7 +227,7 @@ def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds
 
 @pytest.mark.parametrize("amount", [2_000, pytest.param(100_000, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"])
-def test_no_event_of_a_queue_or_a_register_that_a_read_clears_is_lost_where_bytes_are_damaged(
+def test_damaged_bytes_lose_no_event_of_a_queue_or_a_clear_on_read_register(
     driver: Path, amount: int, *, compact: bool
 ) -> None:
     gateway, draw, cleared = simulated(**(COMPACT if compact else SLOW)), random.Random(4), Cleared()

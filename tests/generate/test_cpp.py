@@ -510,7 +510,7 @@ def test_a_spec_for_words_of_another_width_is_noticed(runtime: list[Path]) -> No
 
 
 @pytest.mark.slow
-def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_is_known(runtime: list[Path]) -> None:
+def test_gateway_of_another_map_is_refused_before_writes_unless_map_is_any(runtime: list[Path]) -> None:
     fingerprint = WALKER.interface().fingerprint
     body = f"""
     THROWS(UnsupportedError, link.check_map(0xCAFE, "walker"));

@@ -160,7 +160,7 @@ def test_a_signal_has_all_that_is_said_of_it() -> None:
     assert "1 × 10⁻⁵ × number − 2.5" in Checker(html).cells[Checker(html).cells.index("speed") + 3]
 
 
-def test_fields_are_drawn_and_what_is_read_and_written_apart_where_they_differ() -> None:
+def test_fields_are_drawn_with_separate_lanes_if_read_and_write_differ() -> None:
     page = Page(compile_text(FIELDS).interface())
     shared, differing, narrow = page.parts[0].words
     assert [(field.high, field.low, field.signal and field.signal.name) for field in shared.lanes[0][1]] == [

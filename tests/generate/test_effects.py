@@ -193,7 +193,7 @@ def cpp_program(folder: Path) -> Path:
 
 
 @pytest.mark.slow
-def test_matlab_loses_no_event_touches_no_neighbour_and_has_no_such_signal_in_a_group(octave: Octave) -> None:
+def test_matlab_loses_no_event_and_refuses_such_signals_in_groups(octave: Octave) -> None:
     octave.generate(SPEC)
     with losing_line() as line:
         shown = octave.run(OCTAVE.format(url=line.url))

@@ -93,9 +93,7 @@ def begin(request: pytest.FixtureRequest) -> Begin:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["finish", "safe"])
-def test_what_is_scheduled_runs_out_behind_a_program_that_was_killed_if_it_wants_so(
-    begin: Begin, way: str, tmp_path: Path
-) -> None:
+def test_schedule_of_a_killed_program_runs_to_its_end_if_configured_to(begin: Begin, way: str, tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(SPEC)
     command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]

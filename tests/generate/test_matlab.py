@@ -321,7 +321,7 @@ end
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["struct", "numel", "link", "size"])
-def test_an_interface_may_have_the_name_of_a_function_or_of_what_the_class_has(name: str, octave: Octave) -> None:
+def test_interface_may_have_the_name_of_a_function_or_of_a_class_member(name: str, octave: Octave) -> None:
     octave.generate(compile_text(f"public {name}() {{ @a = 1: signed 16 READWRITE(PUBLISH(g)); }}\ngroup g(1, 10);"))
     with simulate("tcp") as url:
         shown = octave.run(f"""\

@@ -276,7 +276,7 @@ attempt('deleted twice', @() unity_link_mex('release', number));
 """
 
 
-def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_links_stay_apart(octave: Octave) -> None:
+def test_invalid_link_or_subscription_numbers_fail_and_links_are_separate(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, simulate("unix", str(octave.folder / "socket")) as other:
         shown = octave.run(_HANDLES.format(url=url, other=other))
@@ -292,7 +292,7 @@ def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_lin
 
 
 @pytest.mark.slow
-def test_a_package_that_is_not_built_says_what_to_call_and_is_there_when_that_is_done(bare_octave: Octave) -> None:
+def test_unbuilt_package_names_the_build_call_that_makes_it_usable(bare_octave: Octave) -> None:
     bare_octave.generate(compile_text(FIGURE_1))
     link = bare_octave.folder / "+unity_link" / "Link.m"
     with simulate("tcp") as url:
@@ -565,7 +565,7 @@ def gateway_with_reset_button() -> ObservedGateway:
     return gateway
 
 
-def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
+def test_gateway_reset_on_an_open_line_loses_the_link_and_a_new_link_works(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = gateway_with_reset_button()
     with serve(gateway) as url:
@@ -594,7 +594,7 @@ attempt('take', @() samples.take(1e6, 30));
     assert shown["take"].startswith("unity_link:linkLost the gateway was reset")
 
 
-def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(octave: Octave) -> None:
+def test_write_retransmitted_to_a_reset_gateway_is_perhaps_executed(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway()
 
@@ -635,7 +635,7 @@ attempt('write', @() link.write(1, 1));
     )
 
 
-def test_posted_writes_are_confirmed_while_samples_are_awaited_and_before_what_has_no_room_beside_them(
+def test_posted_writes_are_confirmed_during_take_and_before_long_requests(
     octave: Octave,
 ) -> None:
     octave.generate(compile_text(FIGURE_1))
@@ -653,7 +653,7 @@ show('time outs', link.statistics.timeouts);
     assert shown == {"sampled": doubles(5), "read": doubles(6), "time outs": doubles(0)}
 
 
-def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(octave: Octave) -> None:
+def test_half_duplex_medium_carries_one_answered_request_at_a_time(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
     with serve(gateway) as url:
@@ -755,9 +755,7 @@ show('group', [strjoin(fieldnames(values).', ' '), sprintf(' %d', isscalar(value
 
 
 @pytest.mark.parametrize("medium", MEDIA)
-def test_samples_of_groups_and_addresses_come_with_their_numbers_times_and_values(
-    octave: Octave, medium: Medium
-) -> None:
+def test_samples_of_groups_and_addresses_have_numbers_times_and_values(octave: Octave, medium: Medium) -> None:
     octave.generate(compile_file(EXAMPLES / "scara.ul"))
     with simulate(medium, "--robot", "scara") as url:
         shown = octave.run(_SAMPLES.format(url=url))

@@ -224,7 +224,7 @@ def test_names_that_python_has_taken_get_an_underscore(tmp_path: Path) -> None:
     check()
 
 
-def test_a_class_may_be_called_by_a_name_of_which_the_first_letter_is_a_digit(tmp_path: Path) -> None:
+def test_class_name_may_begin_with_an_underscore_and_a_digit(tmp_path: Path) -> None:
     text = (
         "enum _1st { a } public _9x() { @a = 1: _1st READ(); b: _2nd() @(2); } _2nd(): @(base) { @c = base: READ(); }"
     )
@@ -238,7 +238,7 @@ def test_the_module_needs_no_compiler_of_specs(tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)
 
 
-def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place() -> None:
+def test_classes_and_attributes_have_the_docstrings_of_their_declarations() -> None:
     (file,) = generate("python", compile_file(EXAMPLES / "scara.ul"))
     servo = "A servo axis: it moves to its set point, not faster than its speed set point."
     assert f'class Joint(Component):\n    """{servo}"""\n' in file.text

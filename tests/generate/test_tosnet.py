@@ -200,7 +200,7 @@ def network() -> Iterator[tuple[ScaraOnTosnet, str]]:
 
 
 @pytest.mark.slow
-def test_fields_and_batches_are_one_word_and_one_commit_and_a_network_that_stands_still_is_an_error(
+def test_fields_and_batches_are_one_commit_and_a_stopped_network_is_an_error(
     tmp_path: Path, network: tuple[ScaraOnTosnet, str]
 ) -> None:
     made, url = network

@@ -461,7 +461,7 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
 
 @pytest.mark.slow
 @rtl
-def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to() -> None:
+def test_watchdog_of_the_documentation_stops_a_motor_without_writes() -> None:
     folder = GATEWARE / "build" / "generated" / "motor"
     paths = write(generate("vhdl", MOTOR), folder)
     board = folder / "motor_board.vhd"
@@ -476,7 +476,7 @@ def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to()
     )
 
 
-def test_the_watchdog_of_the_documentation_has_the_sixteen_lines_that_are_promised() -> None:
+def test_watchdog_of_the_documentation_has_sixteen_lines_as_stated() -> None:
     text = LISTINGS["motor_board.vhd"]
     watchdog = text[text.index("  watch : process") : text.index("end architecture")].strip()
     assert len(watchdog.splitlines()) == 16

@@ -57,7 +57,7 @@ UNSEEN = frozenset(
   is seldom damaged;
 - `test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken`: the checks of their frames have
   that session in them as well;
-- `test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed`: a client asks
+- `test_batch_cut_by_a_reset_gets_one_true_outcome_for_each_request`: a client asks
   again, and is answered then.
 """
 

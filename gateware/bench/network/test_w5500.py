@@ -68,7 +68,7 @@ def test_frames_of_all_sizes_pass_wherever_the_pointers_stand(wire: Wire, first:
         assert answers(wire, data) == [padded(data)]
 
 
-def test_frames_that_come_faster_than_the_spi_takes_them_are_kept_or_lost_whole(wire: Wire) -> None:
+def test_frames_faster_than_the_spi_are_kept_or_lost_as_a_whole(wire: Wire) -> None:
     rng = random.Random(1)
     given = [rng.randbytes(1200) for _ in range(40)]
     for number, data in enumerate(given):
