@@ -28,7 +28,7 @@ ROOT = Path(__file__).parents[2]
 TABLE = "tests/support/plain_english.toml"
 _WORST_FILES = 5
 _TEST = re.compile(r"^\s*(?:async )?def (test_\w+)", re.MULTILINE)
-# A docstring states the work of a function or the meaning of a value: "Return ...", "Seconds until ...".
+# A docstring states the task of a function or the meaning of a value: "Return ...", "Seconds until ...".
 _QUESTION = re.compile(r"(?:What|Who|Whose|Whether|Where|How|When|Of|Have|Say|Tell|Give)\b")
 
 
@@ -36,19 +36,19 @@ class Found(NamedTuple):
     """A phrase in a file."""
 
     line: int
-    """Line in which its docstring, comment or page begins."""
+    """Line in which the docstring, comment or page of the phrase begins."""
     name: str
     text: str
     """The phrase and the words around it."""
 
 
 class Folder:
-    """Counts of the files that one limit is for."""
+    """Counts of the files that share one limit."""
 
     def __init__(self) -> None:
         self.words = 0
         self.phrases: dict[str, int] = {}
-        """Phrases in each file, by its path."""
+        """Number of phrases in each file, by its path."""
 
     @property
     def rate(self) -> float:
@@ -83,7 +83,7 @@ class Rules:
             yield Found(line, names[(match.lastindex or 1) - 1], around)
 
     def count(self, paths: Iterable[Path], root: Path) -> dict[str, Folder]:
-        """Return the counts for each limit."""
+        """Return the counts of the files for each limit."""
         folders = {name: Folder() for name in self.ceilings}
         for path in paths:
             inside = path.relative_to(root)
@@ -122,7 +122,7 @@ def above(folders: Mapping[str, Folder], rules: Rules) -> Iterator[str]:
 
 
 def raised(rules: Rules, before: Rules) -> Iterator[str]:
-    """Yield a sentence for each limit that is higher than it was."""
+    """Yield a sentence for each limit that is higher in the new table."""
     for name, ceiling in rules.ceilings.items():
         if ceiling > before.ceilings.get(name, math.inf):
             yield f"{TABLE}: the ceiling of {name} is {ceiling}, and was {before.ceilings[name]}; it may only fall"
@@ -133,7 +133,7 @@ def raised(rules: Rules, before: Rules) -> Iterator[str]:
 
 
 def at_merge_base(root: Path) -> Rules | None:
-    """Return the rules at the commit where the branch left `main`, or None if there is none."""
+    """Return the rules at the commit where the branch left `main`, or None without such a commit."""
     for branch in ("main", "origin/main"):
         base = _git(root, "merge-base", "HEAD", branch).strip()
         if base and (text := _git(root, "show", f"{base}:{TABLE}")):
@@ -155,7 +155,7 @@ def long_names(paths: Iterable[Path], longest: int) -> dict[str, Path]:
 
 
 def questions(folder: Path) -> Iterator[str]:
-    """Yield each docstring of a folder that begins as a question or an order, with its file and line."""
+    """Yield a sentence for each docstring of a folder that begins as a question or an order."""
     for path in sorted(folder.rglob("*.py")):
         for piece in pieces_of(path):
             if piece.is_summary and _QUESTION.match(piece.text):
