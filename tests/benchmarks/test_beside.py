@@ -1,4 +1,4 @@
-"""Conclusions where two revisions answer the same question."""
+"""Conclusions from the comparison of two revisions."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The paper's experiment: what is clock-exact and modelled, which is the same in every run.
+"""The paper's experiment: the clock-exact and modelled parts, which are the same in every run.
 
-What the program takes is left out here (no test judges the machine); `make table1` measures it.
+The time of the program is left out, because no test judges the machine; `make table1` measures it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from unity_link.virtual.rtl.library import load
 if TYPE_CHECKING:
     from benchmarks.paper.stacks import Access, StackName
 
-# `results` is of the model; each measurement of its own is so for the campaign alone.
+# The fixture `results` uses the model; single measurements of the model are for the campaign.
 GATEWAYS = [
     pytest.param("rtl", marks=[pytest.mark.rtl, needs_cxx]),
     pytest.param("model", marks=pytest.mark.campaign),
@@ -54,7 +54,7 @@ def results() -> Results:
     return run_experiment(gateway="model", quick=True, host_time=False)
 
 
-# What is measured
+# Measurements
 
 
 @pytest.mark.slow
@@ -72,7 +72,7 @@ def test_the_gateware_alone_is_faster_than_the_papers() -> None:
     assert figures.bytes_per_cycle >= 0.975
     answers = published.value(published.ANSWERS, "gateware", "read", "off")
     assert figures.megabits(14, figures.cycles_per_read) * 1e6 >= 1.9 * answers
-    # A block's bytes follow each other in every cycle.
+    # The bytes of a block follow each other without idle cycles.
     for block in figures.blocks:
         assert block.last_cycles - block.first_cycles == 8 * block.words + 8
     for sample in figures.publishing:
@@ -117,7 +117,7 @@ def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
     for stack in STACKS:
         for row in measure_latencies(Workbench("rtl", counts_host_time=False), stack, 4):
             assert row.gateware is not None
-            # 20 bytes take 2.5 us at the pins, 24 take 3, those of a block some 18.
+            # 20 bytes take 2.5 us at the pins, 24 bytes 3 us, the bytes of a block about 18 us.
             assert 2.4 <= row.gateware <= (20.0 if row.access == "block" else 4.0)
 
 
@@ -125,7 +125,7 @@ def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
 @pytest.mark.parametrize("stack", STACKS)
 def test_write_takes_effect_in_a_microframe_and_a_burst_at_the_line_rate(bench: Workbench, stack: StackName) -> None:
     for row in measure_effects(bench, stack, 16):
-        # A transfer begins with the next microframe; that its bytes need to pass the pins is behind it.
+        # A transfer begins with the next microframe; its bytes pass the pins after the effect.
         assert 20 <= row.modelled.mean <= 130
         if bench.gateway == "rtl":
             assert row.burst_modelled == pytest.approx(row.request_bytes / 8, rel=0.01)
@@ -154,7 +154,7 @@ def test_long_bursts_fill_the_line_but_for_posts_without_send_immediate(bench: W
         assert rates[access, "adaptive"] >= 0.95 * rates[access, "off"]
     assert rates["post", "always"] >= 0.95 * LINK
     assert rates["post", "adaptive"] >= 0.95 * LINK
-    # Their confirmation waits in the chip.
+    # Without send immediate, the confirmations of posted writes wait in the chip.
     assert rates["post", "off"] < 0.8 * LINK
 
 
@@ -227,12 +227,12 @@ def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -
     assert found[0] == found[1]
 
 
-# All of it
+# The whole experiment
 
 
 @pytest.mark.slow
 def test_all_that_must_hold_holds_without_the_programs_time(results: Results) -> None:
-    # The bursts of a quick run are so short that the last microframe counts.
+    # The bursts of a quick run are so short that the last microframe matters.
     assert [row for row in results.checks if not row.met and "burst" not in row.what and "many" not in row.what] == []
     assert results.gateware is None
     assert results.parameters.quick
@@ -254,7 +254,7 @@ def test_a_figure_that_is_worse_than_it_must_be_is_told(results: Results) -> Non
     lost = msgspec.structs.replace(results.sustained, lost=1)
     spoilt = check(msgspec.structs.replace(results, latencies=slow, throughputs=few, sustained=lost))
     failed = {row.what for row in spoilt if not row.met}
-    # The gateware's and the modelled ones were not touched, so they still decide that the command succeeds.
+    # The checks of the gateware and of modelled rows were not changed, so they still decide the exit code.
     assert all(row.measured for row in spoilt if not row.met and row not in results.checks)
     assert {"read_many, adaptive", "post_many, adaptive"} <= failed
     assert sum("read through the link" in what for what in failed) == 6
@@ -353,7 +353,7 @@ def test_a_report_is_a_page_with_its_pictures_and_the_data(results: Results, tmp
     assert reason == ""
     assert all(file.read_bytes().startswith(b"\x89PNG\r\n") for file in files[2:])
     assert "](figure3.png)" in files[0].read_text()
-    # The same figures give the same pictures.
+    # Equal results give equal pictures.
     assert [file.read_bytes() for file in draw(results, tmp_path)] == [file.read_bytes() for file in files[2:]]
     assert msgspec.json.decode(files[1].read_bytes(), type=Results) == results
 

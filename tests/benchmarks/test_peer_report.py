@@ -1,4 +1,4 @@
-"""The page about peers: what is quicker elsewhere comes first, and what was written by hand stays."""
+"""The page about peers: measurements in which a peer is quicker come first, and text written by hand is kept."""
 
 from __future__ import annotations
 

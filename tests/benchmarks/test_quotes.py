@@ -1,7 +1,8 @@
-"""Quotes of the paper in the documents: each figure is one of `benchmarks.paper.published`.
+"""Quotations of the paper in documents: each figure is in `benchmarks.paper.published`.
 
-A quotation is a number with a unit, between the word "paper" and the end of its sentence or of its cell; and in a
-table, all of a column of which the head has that word. It may be rounded, and may have another unit of the same kind.
+A quotation is a number with a unit between the word "paper" and the end of its sentence or table cell, or any number
+with
+a unit in a table column whose head has that word. It may be rounded, and may use another unit of the same kind.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[2]
 SUFFIXES = {".md", ".py", ".ul", ".ipynb", ".vhd", ".toml"}
-# Of each unit: how many of the paper's it is.
+# For each unit: the unit of the paper, and the factor to convert it.
 UNITS: dict[str, tuple[str, float]] = {
     **dict.fromkeys(("s",), ("us", 1e6)),
     "ms": ("us", 1e3),
@@ -43,7 +44,7 @@ UNITS: dict[str, tuple[str, float]] = {
 }
 NUMBER = r"(?<![\w.,#])(\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+(?:\.\d+)?)"
 FIGURE = re.compile(rf"{NUMBER}[ \u00a0-]?({'|'.join(sorted(map(re.escape, UNITS), key=len, reverse=True))})(?!\w)")
-# A link's address ends nothing, and a file's name that has the word is no quotation.
+# A dot within a link's address does not end a quotation, and a file name with the word begins none.
 PROSE = re.compile(r"\bpaper\b(?![\w./]*\.(?:md|py)|/)(.*?)(?=[.;:!?](?:\s|$)|\||\n\s*\n|$(?![\s\S]))", re.DOTALL)
 
 
@@ -55,7 +56,7 @@ class Quote(NamedTuple):
 
     @property
     def right(self) -> bool:
-        """Return whether the paper has it, rounded to as many digits."""
+        """Return True if the paper has the figure, rounded to as many digits."""
         values = [value for row in FIGURES if row.unit == self.unit for value in (row.value, row.deviation or 0.0)]
         return any(abs(value - self.value) <= self.precision * (0.5 + 1e-9) for value in values)
 

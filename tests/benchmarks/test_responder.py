@@ -1,4 +1,4 @@
-"""The responder of the benchmarks: a gateway in C, of whatever widths it is told to have."""
+"""The responder of the benchmarks: a gateway in C with any field widths."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WIDTHS = [
 ]
 
 STUFFED = 0xB5CAD30A
-"""Word of bytes that the compact form escapes."""
+"""Word whose bytes the compact form must escape."""
 
 
 async def work(url: str, info: unity_link.GatewayInfo) -> None:

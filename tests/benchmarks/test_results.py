@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: all of them are written down, and those that are named are shown alone."""
+"""`python -m benchmarks`: a run of all benchmarks writes the results, a run of named benchmarks prints them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Question:
-    """A benchmark that knows its answer."""
+    """A benchmark with a fixed result."""
 
     def __init__(self, question: str, *, met: bool) -> None:
         self._row = Row(question, "1 us", "1 us", "1.00", "ratio at most 1", met, "90%, 30%")

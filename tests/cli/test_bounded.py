@@ -1,4 +1,4 @@
-"""A call in a process of its own is ended at its bounds, whatever the process that asks for it has taken itself."""
+"""A call in its own process is ended at its limits of time and memory, however much its parent has used."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Commands as a shell sees them: what they print, what they say of wrong use, and the code that they exit with."""
+"""Commands as a shell runs them: their output, their messages about wrong use, and their exit codes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def run(*arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
 
 @contextmanager
 def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run `unity-link simulate`, and return it and the line that it prints when it is ready."""
+    """Run `unity-link simulate`; yield the process, and the line that it prints when it is ready."""
     with subprocess.Popen([PROGRAM, "simulate", *arguments], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:
@@ -228,7 +228,7 @@ def in_odd_place(command: str, place: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def odd_place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a directory with a spec and a recording whose names are no UTF-8."""
+    """Return a folder with a spec and a recording whose names are not UTF-8."""
     place = tmp_path_factory.mktemp("odd")
     (place / f"{ODD_NAME}.ul").write_text("public odd() { @a = 0: READWRITE(POLL(50)); }")
     in_odd_place("record sim: $spec --output $name.mcap --duration 1", place)

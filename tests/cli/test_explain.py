@@ -1,4 +1,4 @@
-"""`explain`: a snoop, read aloud."""
+"""`unity-link explain`: a snoop file as readable text."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture
 def snoop(tmp_path: Path) -> Path:
-    """Make a snoop of a link on simulated time."""
+    """Return the snoop file of a link on simulated time."""
     path = tmp_path / "a.snoop"
 
     async def use() -> None:
@@ -124,7 +124,7 @@ def test_wrong_use_is_one_sentence(
     (tmp_path / "later").write_bytes(section.replace(b"snoop 1", b"snoop 2"))
     (tmp_path / "other").write_bytes(section.replace(pcapng.FORM.encode(), b"dumpcap".ljust(len(pcapng.FORM))))
     result = run("explain", *arguments)
-    # A file that is not there is a failure, as in `check` and `export`.
+    # A missing file is a failure, and no wrong use, as in `check` and `export`.
     assert result.returncode == (1 if "cannot be read" in words else 2)
     assert result.stdout == ""
     (line,) = result.stderr.splitlines()

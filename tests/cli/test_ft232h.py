@@ -1,4 +1,4 @@
-"""`unity-link ft232h` on virtual chips."""
+"""`unity-link ft232h` with virtual chips."""
 
 from __future__ import annotations
 
@@ -181,7 +181,7 @@ def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
 
 
 class KeepsNothing(bytearray):
-    """The memory of a board that has none."""
+    """The EEPROM of a board without one: writes have no effect."""
 
     def __setitem__(self, place: object, value: object) -> None:
         pass

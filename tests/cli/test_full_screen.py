@@ -1,4 +1,4 @@
-"""`demo` and `watch` on a terminal, as who sits before it sees them."""
+"""`demo` and `watch` on a terminal, as a user sees them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def terminal(terminal: Window) -> Window:
 
 @contextmanager
 def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
-    """Serve a gateway at the URL unix:gateway of the terminal; return the way to its thread."""
+    """Serve a gateway at the URL unix:gateway of the terminal; yield the portal to its event loop."""
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(serve_unix(gateway, folder / "gateway")),
@@ -47,7 +47,7 @@ def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
 
 
 def counting_gateway() -> VirtualGateway:
-    """Return a gateway of which each sample of 0x10 is one more than the one before."""
+    """Return a gateway on which each sample of 0x10 is one more than the sample before."""
     gateway = VirtualGateway(GatewayInfo())
     gateway.bus.attach(CountingDevice(), [0x10])
     return gateway
@@ -67,7 +67,7 @@ def value(screen: str) -> float:
 
 
 def assert_restored(terminal: Window, code: int) -> str:
-    """Wait for the end of a command with its code; assert that all is as it was before it, and return what it left."""
+    """Wait for the exit code of a command; assert that the terminal is restored; return all text on it."""
     terminal.wait_for(rf"^code {code}$", r"^\$ *$")
     assert terminal.state == GIVEN_BACK
     terminal.enter("echo typed $((6 * 7))")
@@ -101,7 +101,7 @@ def is_the_whole_demo(width: int, screen: str) -> bool:
 
 
 def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> None:
-    # Some shells export these, and they do not follow the window.
+    # Some shells export COLUMNS and LINES, which do not change with the size of the window.
     terminal.enter("COLUMNS=80 LINES=24 unity-link demo --duration 600; echo code $?")
     for width, height in [(100, 30), (60, 15), (40, 8), (220, 50), (70, 20)]:
         terminal.resize(width, height)

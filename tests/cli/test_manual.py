@@ -1,4 +1,4 @@
-"""The manual page, and what programs read of the commands."""
+"""The manual page, and the output of commands for other programs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SCARA = str(ROOT / "examples" / "scara.ul")
 
 
 def commands() -> dict[str, Any]:
-    """Return all commands, those of groups too, by what is typed."""
+    """Return all commands, also those in groups, by the words of the command line."""
     found: dict[str, Any] = {}
 
     def add(command: Any, name: str, above: Any) -> None:
@@ -55,7 +55,7 @@ def test_no_line_of_the_manual_page_is_taken_for_a_request_that_is_none() -> Non
 
 
 PROGRAMS_READ = {name for name in FAMILIES if name not in {"terminal", "retrace", "fmt", "ros1", "ros2", "zenoh"}}
-"""Commands whose results are data; the others are for people, print what they were given, or only run."""
+"""Commands whose results are data; the others are for people, print their input in another form, or only run."""
 
 
 def test_every_command_that_a_program_may_read_has_json() -> None:

@@ -1,4 +1,4 @@
-"""Strings from outside are shown, and nothing that prints them obeys them."""
+"""Strings from outside are printed in a form that neither terminals nor `rich` interpret."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e]")
 
 
 class Terminal(io.StringIO):
-    """A stream that is a terminal."""
+    """A stream that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True

@@ -1,4 +1,4 @@
-"""Notifications of a service manager by a command that runs for long."""
+"""Notifications to a service manager by a command that keeps running."""
 
 from __future__ import annotations
 

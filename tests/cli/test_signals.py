@@ -1,4 +1,4 @@
-"""Signals by their names on the command line, and how a shell completes what is typed."""
+"""Names of signals on the command line, and their completion by a shell."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Result(NamedTuple):
 
 
 def run(*arguments: str, **environment: str) -> Result:
-    """Run the command line in this process: what is tested here is its own, and not the system's."""
+    """Run a command in this process; the tests are about the command line, not about processes."""
     out, err = io.StringIO(), io.StringIO()
     with (
         mock.patch.dict(os.environ, environment),
@@ -261,10 +261,10 @@ def test_the_command_line_is_a_module_too() -> None:
 
 
 def completed(line: str, shell: str = "zsh", **environment: str) -> list[str]:
-    """Return what a shell is offered behind a line."""
+    """Return the completions that a shell offers for a line."""
     words = {"_TYPER_COMPLETE_ARGS": line}
     if shell == "bash":
-        # As bash takes a line apart: each of its breaks is a word.
+        # Bash splits a line at each of its break characters, which become words.
         spaced = line.replace(":", " : ").replace("=", " = ").split(" ")
         parts = [part for part in spaced[:-1] if part] + spaced[-1:]
         words = {"COMP_WORDS": "\n".join(parts), "COMP_CWORD": str(len(parts) - 1)}
@@ -308,7 +308,7 @@ def test_a_memory_that_cannot_be_written_is_no_error(tmp_path: Path, monkeypatch
 def test_a_user_without_a_home_uses_the_command_line_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     for variable in ("UNITY_LINK_MEMORY", "XDG_STATE_HOME"):
         monkeypatch.delenv(variable, raising=False)
-    # As the system answers for a user that it does not know.
+    # The system reports this error for a user that it does not know.
     monkeypatch.setattr(Path, "home", mock.Mock(side_effect=RuntimeError("Could not determine home directory.")))
     assert run("read", "sim:", "0").returncode == 0
 

@@ -1,4 +1,4 @@
-"""`terminal` on a terminal, as who sits before it sees it."""
+"""`unity-link terminal` on a terminal, as a user sees it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PROMPT = "^> *$"
 
 
 class Noise(asyncio.Protocol):
-    """Peer that answers everything as a line of the wrong baud rate may: here, with what clears a terminal."""
+    """Peer that answers each line as a line with a wrong baud rate may: here with control sequences for a terminal."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
@@ -32,7 +32,7 @@ class Noise(asyncio.Protocol):
 
 
 class Echo(Noise):
-    """Peer that gives everything back, as wires do that are joined."""
+    """Peer that returns every byte, as joined wires do."""
 
     def data_received(self, data: bytes) -> None:
         self._transport.write(data)
@@ -90,7 +90,7 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.wait_for("^X03 +error 03: malformed", PROMPT)
     terminal.enter("!R0A00")
     terminal.wait_for("^X01 +error 01: the CRC was wrong$", PROMPT)
-    # The gateway says once what it expects, and then waits for that.
+    # The gateway has sent its one error, and waits for a new session.
     terminal.enter("K0000001")
     terminal.wait_for(
         "^K0000001[0-9A-F]{4} +session 0001 has begun, the next ID expected is 000; session [0-9A-F]{4} ended$", PROMPT
@@ -137,7 +137,7 @@ def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:
     for width, height, word in [(30, 6, "00000001"), (200, 40, "00000002"), (70, 20, "00000003")]:
         terminal.resize(width, height)
         terminal.enter(f"W0A{word}")
-        # What is printed at the very moment of a resize may be drawn over.
+        # Repeat the read: text printed at the moment of a resize may be overwritten.
         terminal.enter_until("R0A", f"^R0A{word} ")
 
 

@@ -1,4 +1,4 @@
-"""The Verilog of a user's entity is compared with GHDL's simulation; an entity that cannot be compared is named."""
+"""The Verilog of a user's entity is compared with GHDL's simulation; entities that cannot be compared are reported."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.rtl
 
 @pytest.fixture(autouse=True)
 def no_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Keep what is compared in a folder of the test's."""
+    """Use a folder of the test as the cache of comparisons."""
     (tmp_path / "kept").mkdir()
     monkeypatch.setattr(own_circuits, "cache_folder", lambda _: tmp_path / "kept")
 
@@ -210,7 +210,7 @@ def test_a_top_is_compared_while_its_registers_are_written_and_read(tmp_path: Pa
     wrong = "(7 downto 0 => '1') when to_hardware.level(3 downto 0) > 16 else x\"00\""
     with pytest.raises(ConversionError, match=r"^lamp_top\.vhd: GHDL makes another circuit of .* its output led is"):
         build(tmp_path, wrong, "to_hardware.level")
-    # What the registers take is seen in what the gateway reads.
+    # The inputs of the registers appear in the words that the gateway reads.
     with pytest.raises(
         ConversionError, match=r"^lamp_top\.vhd: GHDL makes another circuit of .* its output uart_txd is"
     ):

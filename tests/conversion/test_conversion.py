@@ -1,4 +1,4 @@
-"""VHDL becomes Verilog that is the same circuit, or is refused with its place."""
+"""VHDL is converted to Verilog of the same circuit, or refused with its place in the source."""
 
 from __future__ import annotations
 

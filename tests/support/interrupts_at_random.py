@@ -314,7 +314,7 @@ def interrupt(
         url: of its gateway.
         rounds: number of signals.
         way: name of the signal; with SIGALRM the program sets its own timer.
-        beside: name of the function that another thread of the program runs.
+        beside: work of another thread of the program: "computing", "reading", or empty for none.
         seed: of the random instants.
         folder: working folder of the program.
     """

@@ -28,7 +28,7 @@ class Scripted(Valve):
         self.wake = lambda: None
 
     def say(self, pieces: Iterable[bytes]) -> float:
-        """Deliver each of `pieces` as a read of its own, from the next instant on; return how long that takes."""
+        """Deliver each of `pieces` in its own read, from the next instant on; return the seconds until the end."""
         due = self._now
         for piece in pieces:
             due += APART

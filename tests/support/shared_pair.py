@@ -15,7 +15,7 @@ PAIR = GatewayInfo(features=GatewayInfo().features | Feature.HALF_DUPLEX)
 
 
 class SharedPair(Valve):
-    """Records all frames that the host sends while an answer is on its way."""
+    """Records in `collisions` each frame that the host sends while an answer is on its way."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         super().__init__(SlowLine(gateway, 100_000))
