@@ -1,6 +1,6 @@
-"""The blocking face does what the link does, in the threads that call it and without an event loop.
+"""The blocking API does the same as the link, in the threads that call it and without an event loop.
 
-The link's own suite runs on it as well (tests/support/faces.py).
+The tests of links run on it as well (tests/support/faces.py).
 """
 
 import asyncio
@@ -92,7 +92,7 @@ def test_samples_received_before_the_link_was_closed_precede_its_error(
         samples.publish()
         link.close()
         taken = [sample.sequence for sample in samples.take(2)]
-        with pytest.raises(unity_link.LinkClosedError):  # noqa: PT012  (it comes behind them)
+        with pytest.raises(unity_link.LinkClosedError):  # noqa: PT012  (the error comes after some samples)
             while True:
                 taken += [sample.sequence for sample in ask(samples)]
         assert taken == [1, 2, 3, 4, 5]
@@ -168,7 +168,7 @@ except KeyboardInterrupt:
 
 
 def refusing(address: int) -> VirtualGateway:
-    """Return a gateway whose bus refuses every access of an address."""
+    """Return a gateway whose bus refuses every access to an address."""
     gateway = VirtualGateway()
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [address])
     return gateway
@@ -280,7 +280,7 @@ def test_a_link_that_is_forgotten_is_closed_and_frees_its_port(tmp_path: Path) -
     [
         "with blocking.connect('sim:') as link, link.subscribe(0x10) as samples:\n    say()\n    next(samples)",
         "link = blocking.connect('sim:')\nsamples = link.subscribe(0x10)\nsamples.__enter__()\nsay()\nnext(samples)",
-        # The first call imports numpy, and the interpreter loses a Ctrl-C in some instants of an import.
+        # Read once before: the first call imports numpy, and the interpreter may lose a Ctrl-C during an import.
         (
             "with blocking.connect(SlowLine(VirtualGateway(), 5000)) as link:\n"
             "    link.read_queue(0, 1)\n    say()\n    link.read_queue(0, 5000)"
@@ -333,7 +333,7 @@ def test_a_callback_that_calls_the_link_is_told_that_it_must_not() -> None:
 
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[tuple[VirtualGateway, str]]:
-    """Return a gateway in the loop of another thread, and the URL of its Unix socket."""
+    """Serve a gateway in the event loop of another thread; yield it with the URL of its Unix socket."""
     gateway = VirtualGateway()
     with start_blocking_portal() as portal:
         serving = serve_unix(gateway, tmp_path / "gateway")
@@ -380,7 +380,7 @@ def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp
         deadline = time.monotonic() + 60
         while samples.received < 100 and time.monotonic() < deadline:
             time.sleep(0.01)
-        # All that wait are fetched at once, and the link ends before the others are asked for.
+        # The first call takes all received samples at once; then the link ends, before the test asks for the others.
         assert next(samples).sequence == 0
         waiting = len(samples._samples)
         assert waiting
@@ -500,7 +500,7 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
     link = blocking.connect(served[1])
     samples = link.subscribe([0x10], rate_hz=100, callback=forget)
     samples.__enter__()
-    with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031  (threads end in it)
+    with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031  (threads end within the block)
         kept += [link, samples]
         del link, samples
         deadline = time.monotonic() + 60
@@ -555,7 +555,7 @@ def test_a_call_in_flight_learns_at_once_that_the_connection_was_lost(tmp_path: 
             writing = threads.submit(link.write_block, 0, range(200))
             while not link.statistics.in_flight:
                 time.sleep(0.001)
-        # The gateway does not come back, so the connection is being opened again all the time.
+        # The gateway does not return, so that the link keeps reconnecting.
         with pytest.raises(unity_link.LinkLostError):
             writing.result(60)
         link.close()

@@ -1,4 +1,4 @@
-"""`make check` runs the tests of what a change touches, and no others."""
+"""`make check` runs the tests of the changed files, and no others."""
 
 import subprocess
 from pathlib import Path

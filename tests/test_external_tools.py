@@ -1,4 +1,4 @@
-"""External tools and temporary folders end with their program; files of the cache that were cut are made anew."""
+"""External tools and temporary folders end with their program; incomplete files of the cache are made again."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_neither_tools_nor_folders_outlive_a_program_that_a_signal_ends(way: str
         assert (folder / "file").exists()
         program.send_signal(signal.Signals[way])
         assert program.wait() != 0
-    # Not to wait for ever if a process is left: the end of all writers is the end of the file.
+    # Wait with a time-out: the pipe ends only when no process is left that has it open.
     assert select.select([watch], [], [], 60)[0]
     assert os.read(watch, 1) == b""
     os.close(watch)
@@ -92,7 +92,7 @@ def test_an_error_about_a_file_elsewhere_is_not_one_of_the_folder(tmp_path: Path
 
 
 def limited(folder: Path, blocks: int, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a command no file of which may become longer than so many blocks of 512 bytes, as on a full disk."""
+    """Run a command whose files may have at most `blocks` blocks of 512 bytes, as on a full disk."""
     (folder / "blinking.ul").write_text(SPEC)
     environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "TMPDIR": str(folder)}
     limit = ["sh", "-c", f'ulimit -f {blocks}; exec "$@"', "sh"]

@@ -1,4 +1,4 @@
-"""Files of commands are never in the place of what Unity-Link did not make, unless the user says so."""
+"""Commands never replace files that Unity-Link did not make, unless the user allows it."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ COMMANDS = {
 
 
 def said_by(words: str) -> tuple[str, str]:
-    """Run a command in this process; return what it said of an error, and its kind."""
+    """Run a command in this process; return the text of its error, and the name of the error's class."""
     result = CliRunner().invoke(app, words.split())
     error = result.exception
     return (str(error), type(error).__name__) if error and not isinstance(error, SystemExit) else ("", "")
@@ -68,7 +68,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def here(tmp_path: Path, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with what commands make files of, in which they run."""
+    """Create the input files of commands in a folder, and change to that folder."""
     (tmp_path / "rover.ul").write_text(ROVER)
     (tmp_path / "rover.rdl").write_text(RDL)
     shutil.copy(recorded, tmp_path / "run.mcap")
@@ -159,7 +159,7 @@ def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -
     assert here.is_dir()
 
 
-# What may go.
+# Files that may be replaced
 
 
 @pytest.mark.parametrize(
@@ -210,7 +210,7 @@ def test_what_has_no_mark_is_known_by_the_list_beside_it_until_it_is_changed(tmp
     done = subprocess.run(["sha256sum", "-c", LIST], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines() == ["a.vhd: OK", "b/c.f: OK"]
 
-    # As of a later version.
+    # Write other contents, as a later version would.
     write_texts({"a.vhd": "three\n", "b/c.f": "two\n"}, tmp_path)
     assert (tmp_path / "a.vhd").read_text() == "three\n"
 
@@ -271,7 +271,7 @@ def test_the_name_of_a_file_is_not_taken_for_that_of_a_folder(command: str, here
     assert here.is_dir()
 
 
-# Links, devices and modes.
+# Links, devices and modes
 
 
 def test_a_link_stays_and_the_file_at_its_end_is_replaced(tmp_path: Path) -> None:
@@ -363,6 +363,6 @@ def test_what_is_interrupted_leaves_nothing(interrupt: Callable[[], BaseExceptio
 
 
 def test_each_example_is_a_users_file() -> None:
-    # An example that was made by a command would be replaced by it.
+    # A command may replace files that it has made, so no example may carry the mark of a generated file.
     assert not any(has_mark(path) for path in EXAMPLES.iterdir() if path.is_file())
     assert not is_marked((EXAMPLES.parent / "README.md").read_bytes())

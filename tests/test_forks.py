@@ -1,4 +1,4 @@
-"""A process that is forked from one with links leaves those alone, and is told at once that they are not its own."""
+"""A process forked from one with links does not use them; each use raises an error at once."""
 
 from __future__ import annotations
 

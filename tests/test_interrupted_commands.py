@@ -45,11 +45,11 @@ QUICK_COMMANDS = {
 }
 COMMANDS = TOOL_COMMANDS | QUICK_COMMANDS
 LONGEST = {"build": 90.0, "generate verilog": 60.0, "rtl": 60.0}
-"""Seconds within which the campaign sends its signals; for all others 3."""
+"""Seconds within which the campaign sends its signals; 3 for all other commands."""
 
 
 def interrupted(folder: Path, name: str, draw: random.Random, longest: float) -> Left:
-    """Send a signal to a command; early instants, at which more begins, are as likely as late ones."""
+    """Send a signal to a command at a random instant, early instants more often, because more work begins then."""
     place = Place(folder)
     (place.work / "blinking.ul").write_text(BLINKING)
     after = math.exp(draw.uniform(math.log(0.2), math.log(longest)))

@@ -1,4 +1,4 @@
-"""Objects left open warn, with what to write instead, and only then."""
+"""Objects that a program leaves open cause a warning that names the remedy; closed ones do not."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[Any]]] = {
 
 
 def assert_quiet(function: Callable[[], object]) -> None:
-    """Check that nothing warns, neither at once nor when the garbage is collected."""
+    """Check that a function causes no warning, neither at once nor at the next garbage collection."""
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         function()
@@ -57,7 +57,7 @@ async def subscribe_and_leave(*, left_open: bool) -> None:
 
 def test_a_subscription_that_was_not_closed_warns() -> None:
     said = r"<subscription of 1 addresses, over: \d+ samples, 0 lost> was not closed: use `async with`"
-    with pytest.warns(ResourceWarning, match=said):  # noqa: PT031  (the garbage is collected in it)
+    with pytest.warns(ResourceWarning, match=said):  # noqa: PT031  (the garbage is collected within the block)
         run_simulated(subscribe_and_leave(left_open=True))
         gc.collect()
 

@@ -1,4 +1,4 @@
-"""Hardware modules: offsets instead of addresses, and what each kind can do."""
+"""Hardware modules: offsets instead of addresses, and the operations of each kind."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from unity_link.virtual import AccessError, VirtualGateway
 
 
 class Queue:
-    """A queue of four words that refuses what it cannot do."""
+    """A queue of four words; it refuses reads while it is empty, and writes while it is full."""
 
     def __init__(self) -> None:
         self.words: list[int] = []

@@ -1,4 +1,4 @@
-"""The check of prose finds phrases in every kind of file, and holds each folder to its limit."""
+"""The check of prose finds phrases in every kind of file, and compares each folder with its limit."""
 
 import subprocess
 from pathlib import Path
@@ -13,7 +13,7 @@ RULES = read_rules(TEXT)
 SMALL = (
     TEXT.partition("[ceilings]")[0] + '[ceilings]\n"." = 9.0\n"a" = 500.0\n"a/b" = 500.0\n' + TEXT[TEXT.index("[[ph") :]
 )
-"""A table of two folders and the files beside them."""
+"""A table of limits for two folders and the files outside of them."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The project keeps its own promises: what an import loads, what the lock files name, where the links lead."""
+"""Guarantees of the project: the modules that an import loads, the names in the lock files, the targets of links."""
 
 import importlib.metadata
 import re
@@ -24,7 +24,7 @@ ROOT = Path(__file__).parent.parent
 LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 PYTHONS = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
-"""Versions of Python that the project names; a part of the tests runs on 3.13 if it is installed."""
+"""Versions of Python that the project supports; a part of the tests runs on 3.13 if it is installed."""
 
 
 def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None:
@@ -133,7 +133,7 @@ def test_the_sidebar_lists_each_guide_under_the_heading_of_the_first_page() -> N
 
 def test_no_page_installs_from_an_index_that_does_not_have_us() -> None:
     pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
-    # Where it is installed already, the same line adds an extra, as commands say it.
+    # In these pages the line adds an extra to an installed package, as messages of commands propose.
     of_commands = {"install.md", "command-line.md"}
     found = {
         page.name
@@ -184,7 +184,7 @@ def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
     table = text.partition("## To add something")[2].partition("\n## ")[0]
     paths = {name for name in re.findall(r"`([\w./]+)`", table) if "/" in name or "." in name}
     assert len(paths) > 40
-    # A medium and a target that are there stand for new ones.
+    # An existing medium and an existing target replace NAME in the paths.
     places = [path.replace("NAME", "matlab" if "generate" in path else "udp") for path in sorted(paths)]
     assert [path for path in places if not ((ROOT / path).exists() or (ROOT / "unity_link" / path).exists())] == []
 

@@ -1,4 +1,4 @@
-"""docs/protocol.md is right: checks, messages and answers in its examples are what the gateway model gives."""
+"""docs/protocol.md is right: the gateway model returns the CRCs, messages and answers of its examples."""
 
 import itertools
 import re
@@ -18,7 +18,7 @@ EXAMPLES = worked_examples()
 
 
 def documented_gateway(example: Example) -> VirtualGateway:
-    """Return a gateway fresh from reset, of the configuration that the document's answer to Q tells."""
+    """Return a gateway after a reset, with the configuration in the document's answer to Q."""
     text = DOCUMENT.read_text(encoding="utf-8")
     info = GatewayInfo.from_hex(re.search(r"^< Q([0-9A-F]+)␍␊", text, re.MULTILINE)[1].encode())  # type: ignore[index]
     gateway = VirtualGateway(info, node=example.node)
@@ -68,7 +68,7 @@ def test_the_examples_show_every_error_that_a_short_example_can_show() -> None:
         for _, answered in example.exchange
         if (match := re.match(rb"(?:X|x...)([0-9A-F]{2})", answered))
     }
-    # 07 needs a frame longer than a page is wide, 09 bytes that were lost.
+    # 07 needs a frame longer than a page is wide; 09 needs lost bytes.
     assert shown == set(ErrorCode) - {ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW}
 
 

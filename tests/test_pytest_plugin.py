@@ -1,4 +1,4 @@
-"""The plugin of pytest, as its user has it: a folder with a spec, a model and tests, run by a pytest of its own."""
+"""The plugin of pytest as a user has it: a folder with a spec, a model and tests, run by another pytest."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ WRONG = {
 
 
 def run(folder: Path, *options: str) -> str:
-    """Run pytest in a folder, and return what it printed."""
+    """Run pytest in a folder; return its output."""
     command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-q", "-rs", *options]
     if not plugin_is_installed():
         command += ["-p", "unity_link.pytest_plugin"]

@@ -1,7 +1,7 @@
 """`make test` covers every command, core, language and URL scheme at least once on real input.
 
-Tests that take long are marked `slow` and run in `make test-all`. The tables name, for each feature, a test that stays
-in `make test`.
+Slow tests are marked `slow` and run in `make test-all`. For each feature, the tables name a test that stays in
+`make test`.
 """
 
 import ast
@@ -101,6 +101,6 @@ def test_a_test_of_the_tables_is_in_make_test(test: str) -> None:
     (function,) = (
         node for node in tree.body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name
     )
-    # A parameter may be slow: at least one other is not.
+    # Ignore the marks of single parameters: a parameter may be slow if another one is not.
     marks += [ast.unparse(decorator) for decorator in function.decorator_list if "param" not in ast.unparse(decorator)]
     assert not {"pytest.mark.slow", "pytest.mark.campaign"} & set(re.findall(r"pytest\.mark\.\w+", " ".join(marks)))

@@ -1,4 +1,4 @@
-"""The event loop that tests of time run on."""
+"""The event loop with simulated time, on which tests run."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ async def test_timers_fire_in_the_order_of_their_times(delays: list[float]) -> N
     loop = asyncio.get_running_loop()
     start = loop.time()
     for delay in delays:
-        # Delays may differ by less than the clock can tell.
+        # Two delays may differ by less than the resolution of the clock.
         loop.call_later(delay, fired.append, start + delay)
     await asyncio.sleep(1e4 + 1)
     assert fired == sorted(start + delay for delay in delays)

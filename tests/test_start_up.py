@@ -1,4 +1,4 @@
-"""Slow modules are imported by those who use them, and never while samples and answers are taken."""
+"""Slow modules are imported only by calls that need them, and never while samples and answers arrive."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SERVER = Path(__file__).parent / "transport" / "serve.py"
 SLOW = {"anyio", "numpy", "pydantic", "rich"}
 MODULES_OF_ITS_OWN = 63
-"""Most modules that `import unity_link` may bring beside asyncio, msgspec and fastcrc."""
+"""Most modules that `import unity_link` may load besides asyncio, msgspec and fastcrc."""
 
 COMMAND = """
 import contextlib, sys
@@ -36,7 +36,7 @@ def printed(code: str, *arguments: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def pty() -> Iterator[str]:
-    """Serve a gateway on a pseudo-terminal of another process."""
+    """Serve a gateway on a pseudo-terminal of another process; yield its path."""
     command = [sys.executable, str(SERVER), "serial", "", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None

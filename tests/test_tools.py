@@ -1,4 +1,4 @@
-"""The gateware's tools show what they are for, and refuse what they do not know, before they do anything."""
+"""The gateware's tools print their purpose, and refuse unknown arguments before they do any work."""
 
 from __future__ import annotations
 

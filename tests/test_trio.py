@@ -1,6 +1,6 @@
-"""A link under trio: the same calls and promises, in an ``async with`` block.
+"""A link under trio: the same calls and guarantees, in an ``async with`` block.
 
-The link's own suite runs on it as well (tests/support/faces.py).
+The tests of links run on it as well (tests/support/faces.py).
 """
 
 import gc
@@ -35,7 +35,7 @@ ROBOT = unity_link.load(
 
 
 def run(program: Callable[[], Awaitable[object]]) -> None:
-    """Run a program under trio, and no longer than a minute."""
+    """Run a program under trio, for at most a minute."""
 
     async def limited() -> None:
         with trio.fail_after(60):
@@ -46,7 +46,7 @@ def run(program: Callable[[], Awaitable[object]]) -> None:
 
 @pytest.fixture(params=["unix", "tcp", "udp", "pty"])
 def served(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
-    """Return the URL of a gateway in the event loop of another thread."""
+    """Serve a gateway in the event loop of another thread; yield its URL."""
 
     @asynccontextmanager
     async def serving() -> AsyncIterator[str]:
@@ -149,7 +149,7 @@ def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> Non
             assert sequences == list(range(len(sequences)))
             samples = link.statistics.samples
             await trio.sleep(0.1)
-            assert link.statistics.samples == samples, "nothing is published to nobody"
+            assert link.statistics.samples == samples, "no sample is published without a subscriber"
 
     run(program)
 

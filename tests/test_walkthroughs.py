@@ -1,4 +1,4 @@
-"""Walkthroughs do what they say, followed from an empty folder as their reader follows them."""
+"""Walkthroughs work as their readers follow them, from an empty folder."""
 
 from __future__ import annotations
 

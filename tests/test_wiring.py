@@ -1,4 +1,4 @@
-"""The pictures of wiring are those that their script draws, with the ports of the gateware."""
+"""The pictures of wiring are the output of their script, with the ports of the gateware."""
 
 import re
 from pathlib import Path

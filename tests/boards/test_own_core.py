@@ -1,4 +1,4 @@
-"""The core of docs/how-to/own-core.md does what the page says, and is in a bitstream; what lacks of one is told."""
+"""The core of docs/how-to/own-core.md works as on the page and builds a bitstream; missing parts are reported."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def designed(folder: Path, name: str) -> Design:
-    """Return the design of the page's spec for a board, as `build` begins with it."""
+    """Return the design of the page's spec for a board, as `build` makes it first."""
     spec = compile_file(folder / "lamps.ul")
     own = read_own(None, [Path(file) for file in spec.vhdl]) if spec.vhdl else None
     board = load_board(name)[1]

@@ -1,4 +1,4 @@
-"""A top of a user's own on a board: its ports are pins, and whatever is wrong is one sentence that names it."""
+"""A user's own top on a board: its ports are pins, and each fault is reported in one sentence with its name."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ begin
   uart_txd <= uart_rxd; led <= (others => btn0 xor unused);
 end architecture;
 """
-"""Without a gateway, so that it is converted quickly."""
+"""An entity without a gateway, so that it is converted quickly."""
 
 
 def scalar(name: str, way: str = "input") -> Port:
@@ -72,7 +72,7 @@ def own(folder: Path, text: str = SMALL, name: str = "small.vhd") -> Own:
     return read_own(files(folder, text, name))
 
 
-# Which pin a port is
+# The pin of each port
 
 
 @given(st.data())
@@ -172,7 +172,7 @@ def test_a_board_without_io_says_so() -> None:
     assert Io(sites=("A1", "A2"), first=4).named("j2") == {"j2_4": "A1", "j2_5": "A2"}
 
 
-# What GHDL reads
+# Ports and generics as GHDL reads them
 
 
 @pytest.mark.rtl
@@ -286,7 +286,7 @@ def test_latin_letters_in_a_file_are_no_fault(tmp_path: Path) -> None:
     assert convert_own(read_own(tmp_path / "small.vhd"), {"baud": 1}).module == "small"
 
 
-# A build
+# A complete build
 
 
 @pytest.mark.rtl
@@ -355,7 +355,7 @@ def test_own_vhdl_page_builds_a_bitstream_and_interruption_leaves_no_files(tmp_p
     )
     arguments = [PROGRAM, *command.split(), "-o", "out"]
     with subprocess.Popen(arguments, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
-        # One of the tools is at work.
+        # Wait until one of the tools runs.
         while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)

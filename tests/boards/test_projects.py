@@ -1,4 +1,4 @@
-"""Projects of vendors' tools: all files are there, in an order in which GHDL takes them, and every pin has a site."""
+"""Projects for vendors' tools: all files are present, in an order that GHDL accepts, and every pin has a site."""
 
 from __future__ import annotations
 
@@ -43,7 +43,14 @@ def changed(board: Board, **changes: object) -> Board:
 
 
 def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "", slack: str = "-0.1") -> list[tuple[str, ...]]:
-    """Return what a script says to a tool, of which nothing is here but the names of its commands, and a slack."""
+    """Return the commands that a script gives to a tool, which Tcl without the tool records.
+
+    Args:
+        path: of the script.
+        commands: names of the tool's commands.
+        arguments: of the script.
+        slack: slack in ns that the tool reports.
+    """
     said: list[tuple[str, ...]] = []
     tcl = tk.Tcl()
 
@@ -59,13 +66,13 @@ def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "", slack:
         # Quartus writes and reads names of pins such as led[0] without braces.
         tcl.createcommand(str(bit), lambda bit=bit: f"[{bit}]")
     tcl.setvar("argv", arguments)
-    # Not by `cd`, which would move the whole process: the paths of a .qsf, which are relative to it, are joined later.
+    # Do not use `cd`, which would change the folder of the whole process; relative paths of a .qsf are joined later.
     tcl.eval(f"source {path}")
     return said
 
 
 def constrained(opened: Path, board: Board) -> list[tuple[str, ...]]:
-    """Return the constraints of a project for its whole top."""
+    """Return the constraints of a project that apply to its whole top."""
     if board.family == "cyclonev":
         said = evaluated(opened.with_suffix(".qsf"), _QUARTUS)
         paths = [opened.parent / words[3] for words in said if "SDC_FILE" in words]
@@ -75,7 +82,7 @@ def constrained(opened: Path, board: Board) -> list[tuple[str, ...]]:
 
 
 def sources(said: list[tuple[str, ...]], folder: Path) -> dict[str, list[str]]:
-    """Return the VHDL files of each library, in order."""
+    """Return the VHDL files of each library, in the order of compilation."""
     found: dict[str, list[str]] = {}
     for words in said:
         (path,) = [word for word in words if word.endswith(".vhd")] or [""]
@@ -173,7 +180,7 @@ def test_a_bitstream_of_vivado_that_misses_its_clock_is_an_error(tmp_path: Path)
     with pytest.raises(tk.TclError, match="lamp_on_uart does not keep its times on Digilent Arty A7-35T"):
         evaluated(opened, _VIVADO, "bitstream")
     asked = [words for words in evaluated(opened, _VIVADO, "bitstream", slack="0.1") if words[0] == "get_runs"]
-    # The first waits for the run; then come the worst setup and the worst hold.
+    # The first command waits for the run; the other two ask for the worst setup and the worst hold slack.
     assert len(asked) == 2
 
 
@@ -182,7 +189,7 @@ HOSTILE_TITLE = 'Arty"; exec touch PWNED; [exec touch PWNED] $x } { #\nexec touc
 
 @pytest.mark.parametrize("name", PROJECTS)
 def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
-    # What a title would run is noted, and not run.
+    # A title could call `exec`: record the command instead of running it.
     commands = (*(_QUARTUS if load_board(name)[1].family == "cyclonev" else _VIVADO), "exec")
     said = {}
     for kind, title in (("plain", "Arty"), ("hostile", HOSTILE_TITLE)):

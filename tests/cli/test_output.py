@@ -77,7 +77,9 @@ def test_no_command_has_a_console_of_its_own() -> None:
         nodes = list(ast.walk(ast.parse(path.read_text())))
         own = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
         made = {node.func.id for node in nodes if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
-        assert "Console" not in made - own, f"{path.name}: console_on of output.py makes one that is not obeyed"
+        assert "Console" not in made - own, (
+            f"{path.name}: use console_on of output.py, which escapes control characters"
+        )
 
 
 def test_what_is_logged_on_stderr_is_shown_and_not_obeyed() -> None:
