@@ -1,4 +1,4 @@
-"""Values that come from other threads: each written once and in order, whatever stands beside it."""
+"""Values from other threads: each is written once and in order, whatever other values there are."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def noted(notes: Path) -> list[int]:
 
 @asynccontextmanager
 async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, SignalCommands]]:
-    """Run commands until the end of the block, and see that they end in order."""
+    """Run commands until the end of the block; assert that they end in order."""
     async with unity_link.connect(noting_gateway(str(notes))) as link:
         commands = SignalCommands(link, lambda text, **_: told.append(text))
         running = asyncio.create_task(commands.run())
-        # A task that was cancelled before it began does nothing at all.
+        # Let the task begin: a task that is cancelled before does nothing at all.
         await asyncio.sleep(0)
         yield robot_type(link), commands
         running.cancel()

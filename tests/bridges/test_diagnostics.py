@@ -1,4 +1,4 @@
-"""Diagnostics of the bridges to ROS where a server stands before the gateway."""
+"""Diagnostics of the bridges to ROS if a server is between bridge and gateway."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ public robot() { @a = 0x10: READ(PUBLISH(changed)); }
 
 
 class Bridge(RosBridge):
-    """A bridge without subscribers; keeps the diagnostics that it publishes."""
+    """A bridge without subscribers, which stores the diagnostics that it publishes."""
 
     def __init__(self, robot: Robot) -> None:
         super().__init__(robot, BridgeSettings(), lambda _: None)

@@ -1,4 +1,4 @@
-"""Messages of bridges where the extra that they need is not installed."""
+"""Messages of bridges whose extra is not installed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Instants of samples by this machine's clock: distances as the gateway tells them, no jumps, no way back."""
+"""Instants of samples by this machine's clock: distances of the gateway's clock, without jumps and steps back."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from unity_link.link.freshness import MOST_DRIFT
 
 
 class Clock:
-    """The time of a gateway, and the samples that tell it."""
+    """The time of a gateway, with the samples from which it is estimated."""
 
     def __init__(self, **options: Any) -> None:
         self.set = 0.0
-        """Seconds by which this machine's clock was set."""
+        """Seconds by which this machine's clock was changed."""
         self.statistics = SimpleNamespace(reconnections=0)
         link: Any = SimpleNamespace(statistics=self.statistics)
         self.time = GatewayTime(link, **options)

@@ -1,4 +1,4 @@
-"""Commands for all joints together, and diagnostics: what both bridges to ROS have in common."""
+"""Commands for all joints together, and diagnostics: the common parts of both bridges to ROS."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NONE: dict[str, list[float]] = {"position": [], "velocity": [], "effort": []}
 
 @pytest_asyncio.fixture
 async def scara() -> AsyncIterator[Robot]:
-    """Return the SCARA, with a link that is open."""
+    """Yield the SCARA on an open link."""
     async with unity_link.connect("sim:scara") as link:
         yield unity_link.load(SCARA)(link)
 

@@ -1,4 +1,4 @@
-"""Live pictures in a browser: what it shows, and what it may write."""
+"""Live pictures in a browser: the values that a page shows, and those that it may write."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
 def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page: Page) -> None:
     spec = f"{EXAMPLES}/rover.ul"
     own = f"sim:{spec}?model={EXAMPLES}/rover.py:Rover"
-    # On a busy machine it tells that it is slower than time.
+    # On a busy machine the robot reports that it is slower than real time.
     with shown(page, own, spec, "--allow-writes", begins="<Rover of rover> is slower than time"):
         page.locator("#write-left\\.duty").fill("0.5")
         page.keyboard.press("Enter")
@@ -75,7 +75,7 @@ def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page:
 
 
 def colors_in(page: Page, card: str) -> int:
-    """Count the colours that are saturated, as those of curves are, in the canvas of a card."""
+    """Return the number of saturated colours, as curves have, in the canvas of a card."""
     found: int = page.locator(f"{card} >> canvas").evaluate(
         """canvas => {
           const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
@@ -131,7 +131,7 @@ public m() {
 def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page: Page, tmp_path: Path) -> None:
     spec = tmp_path / "m.ul"
     spec.write_text(UNKNOWN)
-    # A gateway that has words at all addresses, so that the test can read the written values.
+    # This gateway has words at all addresses, so that the test can read the written values.
     with gateway(tmp_path / "gateway", "serve", "sim:") as url, shown(page, url, str(spec), "--allow-writes"):
         volts, mode, brake = (page.locator(f"#write-{name}") for name in ("volts", "mode", "brake"))
         expect(volts).to_be_enabled()
@@ -155,14 +155,14 @@ def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page:
         expect(slider).to_be_enabled()
         assert float(slider.input_value()) == pytest.approx(-3, abs=0.01)
         with blocking.connect(url) as link:
-            # Each key that wrote something would have come before the values that were chosen.
+            # A value written by one of the keys would have been written before the chosen values.
             wait_until(lambda: (link.read(0x20) % 2**12, link.read(0x23)) == (2**12 - 512, 5))
             assert [link.read(address) for address in (0x21, 0x22)] == [0, 0]
             page.locator("#write-amps").fill("7")
             page.locator("#write-amps").press("Enter")
             wait_until(lambda: link.read(0x21) == 7)
 
-        # The same values are known to a page that is opened later; a pulse and a guarded value have none.
+        # A page that is opened later knows the same values; a pulse and a guarded value have none.
         page.reload()
         expect(volts).to_have_value(re.compile(r"^-3\.00"))
         expect(mode).to_have_value("5")
@@ -241,7 +241,7 @@ def test_every_frame_of_the_browser_shows_another_picture(page: Page) -> None:
               return [frames, unityLink.plots - before, cards, unityLink.samples - then];
             }"""
         )
-        # In each of them each plot that can be seen, of which there are at least two.
+        # Each frame draws all visible plots, at least two.
         assert 2 * (frames - 2) <= plots <= cards * (frames + 2)
         assert samples >= 1000
 
@@ -413,7 +413,7 @@ def test_plot_of_several_streams_holds_no_value_from_before_an_absence(
             }""",
             {"began": began, "polled": polled},
         )
-    # Each sample of the quick one is a row, and so is the gap.
+    # Each sample of the quick stream is a row, and the gap is a row too.
     assert rows == [7, None, *shown_then, 9]
 
 

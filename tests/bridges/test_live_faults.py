@@ -1,4 +1,4 @@
-"""Faults of live pictures: pages that stop reading, are killed or are too many, gateways that go and come."""
+"""Faults of live pictures: pages that stop reading, are killed or too many; gateways that leave and return."""
 
 from __future__ import annotations
 
@@ -56,20 +56,20 @@ def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -
         while seen < 400_000:
             samples = take(reader, about)
             seen += sum(table.shape[1] for table in samples.tables[0])
-            # What the reader lost must be the fault of this process: on a busy machine, what came before was read late.
+            # The reader may lose samples only if it was late itself: a busy machine delays it.
             assert samples.dropped == dropped or late > 1
             dropped, late = samples.dropped, time.time() - samples.sent
             if seen < 100_000:
                 before = memory_of(running.process.pid)
             elif not slept:
-                # It reads again: what it missed is told.
+                # The sleeper reads again, and gets the number of samples that it has missed.
                 slept = True
                 with sleeper.socket:
                     while not sleeper.next_dropped():
                         pass
         assert memory_of(running.process.pid) - before < 32e6
 
-        # One that never reads again does not keep its place.
+        # The server drops a page that never reads again.
         wait_until(lambda: take(reader, about).tables and connections_of(running.process.pid) == others)
         dead.socket.close()
 
@@ -110,7 +110,7 @@ def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
             if number % 4 == 0:
                 page.next_dropped()
             if number % 2:
-                # With a reset in place of an end.
+                # End the connection by a reset.
                 page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
             page.socket.close()
         wait_until(lambda: connections_of(running.process.pid) == connections)
@@ -178,7 +178,7 @@ def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: P
 
 
 def run_on(gateway: Valve, work: Callable[[Link, LivePage], Awaitable[None]]) -> None:
-    """Show a gateway of this process while `work` is done."""
+    """Show a gateway of this process while `work` runs."""
 
     async def show() -> None:
         async with unity_link.connect(gateway, reconnect=True) as link:
@@ -271,7 +271,7 @@ def test_ctrl_c_ends_live_with_one_line_while_a_write_waits_for_the_gateway(
         running = stack.enter_context(live(url, SPEC, "--allow-writes"))
         page = stack.enter_context(looking(running, token="token"))
         hear(page, "welcome")
-        # It says nothing any more, and its line stays open.
+        # The gateway is stopped, but its connection stays open.
         process.send_signal(signal.SIGSTOP)
         page.send('{"type":"write","number":1,"signal":"j1.pos_sp","value":1}')
         time.sleep(0.3)

@@ -1,4 +1,4 @@
-"""Samples for the Foxglove app, by its own WebSocket: what comes, and what can happen."""
+"""Samples for the Foxglove app, on its own WebSocket: messages and faults."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ STATE = "/scara/state"
 
 @contextmanager
 def served(url: str, **options: str) -> Iterator[tuple[Live, str]]:
-    """Run it with Foxglove; give it, and the URL for the app."""
+    """Run `unity-link live` with Foxglove; yield it, and the URL for the app."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = str(free.getsockname()[1])
     with live(url, SPEC, "--foxglove", "--foxglove-port", port, **options) as running:
@@ -37,7 +37,7 @@ def served(url: str, **options: str) -> Iterator[tuple[Live, str]]:
 
 @contextmanager
 def app(url: str, topic: str = STATE) -> Iterator[tuple[ClientConnection, Any]]:
-    """Be the app, subscribed to a topic; give it, and the channel."""
+    """Subscribe to a topic as the app does; yield the connection and the channel."""
     with connect(url, subprotocols=[Subprotocol("foxglove.sdk.v1")], max_size=None, close_timeout=0) as connection:
         channels: dict[str, Any] = {}
         while topic not in channels:
@@ -50,7 +50,7 @@ def app(url: str, topic: str = STATE) -> Iterator[tuple[ClientConnection, Any]]:
 
 
 def next_message(connection: ClientConnection) -> tuple[int, Any]:
-    """Wait for a message; give its time in nanoseconds, and what it says."""
+    """Return the time of the next message in nanoseconds, and its contents."""
     while True:
         said = connection.recv(timeout=PATIENCE)
         if isinstance(said, bytes) and said[0] == 1:
@@ -75,7 +75,7 @@ def test_app_that_stops_reading_delays_no_other_client_and_costs_no_memory() -> 
     with served(FAST) as (running, url), ExitStack() as stack:
         page = stack.enter_context(looking(running))
         about = hear(page, "about")
-        # Nothing reads its messages once it has subscribed, and its socket is soon full.
+        # This app subscribes and then reads no message, so that its socket is soon full.
         stack.enter_context(app(url))
         other, _ = stack.enter_context(app(url))
         seen, before = 0, 0
@@ -103,7 +103,7 @@ def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
             pass
         before = 0
         while True:
-            # What was under way.
+            # Read the messages that were on their way.
             try:
                 said = connection.recv(timeout=1)
             except TimeoutError:

@@ -1,4 +1,4 @@
-"""Whatever is said to what serves live pictures: it ends its own connection at most, and tells nothing of files."""
+"""Any input to the server of live pictures at most ends its own connection, and reads no other file."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ DEEP = '{"type":"write","number":1,"signal":"j1.pos_sp","value":' + "[" * 4000
 
 @pytest.fixture(scope="module")
 def running() -> Iterator[Live]:
-    """One program for all tests: it must outlive them, and print nothing meanwhile."""
+    """Run one program for all tests; it must outlive them, and print nothing."""
     with pytest.MonkeyPatch.context() as patch, ExitStack() as stack:
         patch.setenv("UNITY_LINK_TOKEN", TOKEN)
         at = stack.enter_context(live("sim:scara", SPEC, "--allow-writes"))
@@ -50,7 +50,7 @@ def running() -> Iterator[Live]:
 
 @pytest.fixture(autouse=True)
 def goes_on(running: Live) -> Iterator[None]:
-    """Afterwards it shows, and writes, as before."""
+    """After the block, check that pages show samples and write values as before."""
     yield
     with looking(running, token=TOKEN) as page:
         about = hear(page, "about")
@@ -64,7 +64,7 @@ def call(running: Live) -> socket.socket:
 
 
 def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
-    """Send bytes; return what is heard until the other side ends, or for so long. Without patience, hang up."""
+    """Send bytes; return the response up to its end, or of `patience` seconds; with 0, end the connection at once."""
     heard = b""
     with call(running) as caller, suppress(ConnectionError, TimeoutError):
         caller.sendall(said)
@@ -72,7 +72,7 @@ def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
             caller.settimeout(patience)
         else:
             caller.shutdown(socket.SHUT_WR)
-        # What has become a page would be told more and more.
+        # Stop at the upgrade to a WebSocket: the server would send samples without end.
         while not heard.startswith(b"HTTP/1.1 101 ") and (data := caller.recv(65536)):
             heard += data
     return heard

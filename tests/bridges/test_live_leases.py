@@ -1,4 +1,4 @@
-"""Leases on the live page: their state is seen, and anybody who looks may stop."""
+"""Leases on the live page: pages show their state, and any page may stop them."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def shown(served: str, spec: Path) -> Iterator[Live]:
 
 
 def end(running: Live) -> None:
-    """Read what it says at its end."""
+    """End the program, and drop its output on stderr."""
     running.process.terminate()
     assert running.process.stderr is not None
     running.process.stderr.close()
@@ -131,7 +131,7 @@ def test_a_page_shows_a_lease_and_signals_on_change_before_any_change(page: Page
             gain.fill("7")
             gain.press("Enter")
             expect(page.locator("[data-signal=gain] output")).to_have_text("7")
-        # The words of the next gateway are 0, and nothing there changes.
+        # All words of the next gateway are 0, and none of them changes.
         with gateway(tmp_path / "gateway", "simulate", str(spec)):
             expect(page.locator("[data-signal=gain] output")).to_have_text("0")
         page.goto("about:blank")

@@ -1,4 +1,4 @@
-"""The pace at which pages are heard: that of people, and no more than leaves time for samples."""
+"""The pace at which messages of pages are handled: enough for people, and slow enough to leave time for samples."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ PING = b"\x89\x80" + bytes(4)
 
 
 def message(text: str) -> bytes:
-    """Return a message as browsers send it; a mask of zeros leaves the text as it is."""
+    """Return a message as browsers send it; the mask of zeros leaves the text unchanged."""
     return bytes([0x81, 0x80 | len(text)]) + bytes(4) + text.encode()
 
 
 class Line(asyncio.Transport):
-    """A connection whose other end is the test."""
+    """A connection with the test at its other end."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -53,7 +53,7 @@ class Line(asyncio.Transport):
 
 
 class Talk:
-    """Pages of one server, and when it has heard what of each."""
+    """Pages of one server, with the messages that it has handled and their times."""
 
     def __init__(self, pages: int) -> None:
         now = asyncio.get_running_loop().time
@@ -78,7 +78,7 @@ class Talk:
             self.pages.append(page)
 
     async def begin(self) -> None:
-        """Let the handshakes, and the time in which they were made, pass."""
+        """Wait until the handshakes, and the interval in which they were made, have passed."""
         await asyncio.sleep(2 * INTERVAL)
 
 

@@ -1,4 +1,4 @@
-"""The server of live pictures: who is let in, what is written, and that no browser stands in the way of another."""
+"""The server of live pictures: access control, writes, and that no browser delays another one."""
 
 from __future__ import annotations
 
@@ -212,7 +212,7 @@ def test_samples_come_whole_and_in_order() -> None:
         while sum(table.shape[1] for table in tables) < 2000:
             tables += take(connection, about).tables[0]
         whole = np.concatenate(tables, axis=1)
-        # 1 ms by the gateway's clock for each sample that was taken, arrived or not.
+        # 1 ms by the gateway's clock for each sample that was taken, received or not.
         assert np.median(np.diff(whole[0])) == pytest.approx(1e-3, rel=1e-3)
         taken = whole.shape[1] - 1 + whole[1, 1:].sum()
         assert whole[0, -1] - whole[0, 0] == pytest.approx(1e-3 * taken, abs=0.1)
@@ -273,7 +273,7 @@ def test_round_trips_are_measured_on_the_signals_bus_and_errors_count() -> None:
     asked: list[int] = []
 
     class Behind:
-        """Bus that a module puts before the link."""
+        """The bus of a module, between the signal and the link."""
 
         async def read(self, address: int) -> int:
             asked.append(address)

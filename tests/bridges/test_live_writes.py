@@ -1,4 +1,4 @@
-"""Values that pages write: each once, in order, within its limits, and none for a gateway that is away."""
+"""Values that pages write: each once, in order, within its limits, and none while the gateway is away."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def wish(number: int, value: Any) -> str:
 
 
 def answers(page: ClientConnection, count: int) -> Iterator[Any]:
-    """Return the next answers, in the order in which they come."""
+    """Yield the next answers in the order of arrival."""
     while count:
         data = page.recv(timeout=PATIENCE)
         if isinstance(data, str) and (message := json.loads(data))["type"] in ("written", "refused"):
@@ -114,7 +114,7 @@ def test_each_value_is_written_once_or_known_not_to_be_if_the_gateway_leaves(not
     assert written <= set(values)
     assert not_written & set(values) == set()
     assert set(range(10)) <= not_written
-    # Of no more than one for each time is it unknown.
+    # At most one value has an unknown outcome for each of the three absences.
     assert len(outcome) - len(written | not_written) <= 3
 
 
@@ -178,7 +178,7 @@ def test_a_value_that_was_not_sent_when_the_link_goes_away_never_is(robot_type: 
         async with unity_link.connect(gateway, reconnect=True) as link:
             writing = Writing(robot_type(link), TOKEN)
             gateway.requests_pass = False
-            # It waits behind more than may be under way.
+            # The write waits for its turn: more reads are queued than may be in flight.
             reads = [asyncio.ensure_future(link.read(0)) for _ in range(3000)]
             await asyncio.sleep(0)
             asked = asyncio.ensure_future(writing.write(Write(1, "word", 5)))

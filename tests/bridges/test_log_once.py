@@ -1,4 +1,4 @@
-"""Faults are told once for each kind, and numbers make no kind of their own."""
+"""Faults are reported once for each kind; texts that differ only in numbers are one kind."""
 
 from __future__ import annotations
 

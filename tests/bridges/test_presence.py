@@ -1,4 +1,4 @@
-"""The state of a gateway, away or there, of which a server in between keeps the connection."""
+"""The state of a gateway, away or present, if a server between keeps the connection."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STEP = 0.05
 
 
 async def watch(presence: Presence, samples: Subscription, seconds: float) -> list[Interruption]:
-    """Look for some time, and return the interruptions that ended meanwhile."""
+    """Check the gateway for some seconds; return the interruptions that ended meanwhile."""
     loop = asyncio.get_running_loop()
     found, end = [], loop.time() + seconds
     while loop.time() < end:
@@ -88,7 +88,7 @@ async def test_a_program_that_stood_still_does_not_take_that_for_silence() -> No
             presence = Presence(link, now())
             assert await watch(presence, samples, 1) == []
             received = samples.received
-        # Of a program that was stopped, the first look comes before what has arrived is taken.
+        # In a program that was suspended, the first check runs before the received samples are taken.
         later = now() + 10 * SILENCE
         assert presence.look(later, received, 100) is None
         assert presence.look(later + STEP, received + 1000, 100) is None
@@ -104,7 +104,7 @@ async def test_suspended_program_does_not_take_its_own_pause_for_a_lost_gateway(
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         presence = Presence(link, loop.time())
         for samples in range(20):
-            # As those that the program itself polls.
+            # A pause of the program also delays the samples that it polls itself.
             loop.jump(seconds)
             for _ in range(int(1.5 / rate_hz / STEP)):
                 assert presence.look(loop.time(), samples, rate_hz) is None

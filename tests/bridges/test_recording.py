@@ -1,4 +1,4 @@
-"""Recordings: what is in the file, and the ways back out of it."""
+"""the contents of the file, and their replay and export."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def test_a_spec_that_publishes_nothing_is_not_recorded_silently(tmp_path: Path) 
     assert "nothing says when signals of robot are to be sampled" in result.stderr
 
 
-# Back
+# Replay and export
 
 
 def test_a_replay_publishes_each_recorded_sample_once(recorded: Path) -> None:

@@ -1,4 +1,4 @@
-"""Recordings where something goes wrong: what stays of them, and what is said."""
+"""Faults during a recording: the remaining file, and the messages."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def recorded_kinds(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording with signals of every kind."""
+    """Return a recording with signals of every kind."""
     path = tmp_path_factory.mktemp("kinds") / "kinds.mcap"
     record(path, lambda recorder: recorder.samples >= 10, "sim:", every_kind(32), poll_hz=100)
     return path
@@ -91,14 +91,14 @@ def recording(url: str, path: Path) -> Iterator[subprocess.Popen[str]]:
 
 
 def wait_for_samples(path: Path, than: int = 0) -> int:
-    """Wait until the file has grown twice beyond a size, and so has samples; give its size."""
+    """Wait until a file has grown twice beyond a size, so that it has samples; return its size."""
     wait_until(lambda: path.exists() and path.stat().st_size > than)
     first = path.stat().st_size
     wait_until(lambda: path.stat().st_size > first)
     return path.stat().st_size
 
 
-# The program ends in the middle
+# A program that ends during the recording
 
 
 def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -184,18 +184,18 @@ def test_damaged_file_is_read_as_far_as_possible_or_refused(recorded: Path, data
 
 
 Place = tuple[str | int, ...]
-"""Path of a value in JSON: names and indices, from the outside in."""
+"""Path to a value in JSON: names and indexes, from the outside in."""
 NUMBERS = st.sampled_from([0, -1, 1, 3, 64, 65, 255, 1 << 16, 1 << 31, 1 << 63, 1 << 70, 0.5, 5e-324, 1e308, -1e308])
 
 
 def head_of(path: Path, name: str) -> Any:
-    """Return what an attachment of a recording says."""
+    """Return the contents of an attachment of a recording."""
     with path.open("rb") as file:
         return next(json.loads(found.data) for found in make_reader(file).iter_attachments() if found.name == name)
 
 
 def with_head(recorded: Path, name: str, head: Any) -> Path:
-    """Write a recording again with another attachment, and with checks that are right."""
+    """Write a recording again with one attachment replaced and right checksums; return its path."""
     builder = RecordBuilder()
     with recorded.open("rb") as file:
         for record in StreamReader(file, emit_chunks=True).records:
@@ -211,7 +211,7 @@ def with_head(recorded: Path, name: str, head: Any) -> Path:
 
 
 def numbers_in(json: Any, place: Place = ()) -> Iterator[Place]:
-    """Return where the numbers in JSON stand, without those of lines and columns, which are most of them."""
+    """Yield the paths to the numbers in JSON, except lines and columns, which are most of them."""
     if "span" in place:
         return
     if isinstance(json, (int, float)) and not isinstance(json, bool):
@@ -221,7 +221,7 @@ def numbers_in(json: Any, place: Place = ()) -> Iterator[Place]:
 
 
 def put(json: Any, place: Place, number: float) -> None:
-    """Put a number at a place of JSON."""
+    """Replace the number at a path in JSON."""
     for step in place[:-1]:
         json = json[step]
     json[place[-1]] = number
@@ -419,7 +419,7 @@ def test_a_disk_that_is_too_slow_costs_samples_that_are_counted(
     quick, fsync = threading.Event(), os.fsync
 
     def fsync_slowly(file: int) -> None:
-        # The head of the file is written before anything is sampled, and by the event loop.
+        # The event loop writes the head of the file before the first sample.
         if threading.current_thread() is not threading.main_thread():
             quick.wait()
         fsync(file)
@@ -542,7 +542,7 @@ def test_recording_continues_after_a_gateway_reset_on_an_open_line(
             running = asyncio.create_task(Recorder(unity_link.load(SPEC)(link), path, report=said.append).run())
             await asyncio.sleep(1.3)
             gateway.reset()
-            # A link takes nine seconds of silence for a lost one.
+            # A link is lost after nine seconds of silence.
             await asyncio.sleep(13)
             running.cancel()
             await asyncio.wait([running])
@@ -673,7 +673,7 @@ def test_setting_the_system_clock_does_not_change_recorded_instants(
     by_group = {samples.group.name: samples for samples, _ in Recording(path).samples()}
     assert np.allclose(np.diff(by_group["fast"].at), 5_000_000, rtol=0.02)
     polled = by_group["poll_50_hz"].at / 1e9
-    # They arrive on the time of this machine, which is not modelled.
+    # Polled samples have the times of this machine's clock, which is not simulated.
     assert len(polled) > 100
     assert np.all(np.diff(polled) >= 0)
     assert began - 0.1 <= polled[0] <= polled[-1] <= clock() + 0.1

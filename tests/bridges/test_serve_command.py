@@ -43,7 +43,7 @@ def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]
 
 @contextmanager
 def started(*arguments: str, **environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run a command that serves; return it and the URL that it prints when it is ready."""
+    """Run a command that serves; yield the process, and the URL that it prints when it is ready."""
     with subprocess.Popen(
         [PROGRAM, *arguments],
         stdout=subprocess.PIPE,
@@ -64,7 +64,7 @@ def free_port() -> int:
         return port
 
 
-# Where, and for whom
+# Sockets and access to them
 
 
 def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> None:
@@ -213,7 +213,7 @@ def test_systemd_gets_readiness_status_and_watchdog_messages(tmp_path: Path) -> 
                     if line.startswith(beginnings):
                         told.clear()
                         return line
-            raise TimeoutError(f"nothing that begins with {beginnings} was told")
+            raise TimeoutError(f"no notification began with {beginnings}")
 
         place = tmp_path / "socket"
         port = free_port()
@@ -228,7 +228,7 @@ def test_systemd_gets_readiness_status_and_watchdog_messages(tmp_path: Path) -> 
                     assert link.read(0) == 0
                     hear("STATUS=1 clients; the gateway answers")
                     hear("WATCHDOG=1")
-            # Where the manager is busy, only the newest status reaches it.
+            # If the manager is busy, it gets only the newest status.
             hear("STATUS=0 clients; the gateway is away", "STATUS=0 clients; waiting for the gateway")
             process.terminate()
             hear("STOPPING=1")
@@ -314,7 +314,7 @@ def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_
                     return False
 
             wait_until(free)
-            # A busy machine may be too slow for a time out; nothing else is a reason to send anything again.
+            # A busy machine may be slow enough for time-outs; there must be no other retransmissions.
             assert link.statistics.repetitions <= link.statistics.timeouts
             assert link.statistics.damaged_frames == 0
 

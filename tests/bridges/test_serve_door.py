@@ -1,4 +1,4 @@
-"""Admission where a token is wanted, however many others stand before the door."""
+"""Access to a server with a token, however many unauthenticated clients are connected."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: i
             assert await is_served(knock(shared, f"token {TOKEN}\n".encode()))
         assert len(shared.clients) == 20
         assert len(shared.strangers) <= MOST_STRANGERS
-        # The oldest had to go.
+        # The server has closed the oldest connections.
         left = [terminal for terminal in silent if not terminal.gone]
         assert left == silent[-len(left) :]
         await asyncio.sleep(HURRY + 0.1)

@@ -1,4 +1,4 @@
-"""Groups of several clients on one gateway: whatever happens while it is lost and restored, each gets its own."""
+"""Groups of several clients on one gateway: each client gets its own samples, also after the gateway was lost."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 KILOHERTZ = 1_000_000
-"""A base frequency at which simulated time is quick."""
+"""A base frequency with few ticks, so that simulated time passes quickly."""
 
 
 def gateway_of(groups: int) -> VirtualGateway:
-    """Return a gateway whose words are their addresses."""
+    """Return a gateway on which each word equals its address."""
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=groups))
     gateway.memory.update({address: address for address in range(256)})
     return gateway
@@ -39,18 +39,18 @@ def drop(shared: SharedLink) -> None:
 
 
 async def come_back(shared: SharedLink) -> None:
-    """End the server's connection, and wait until there is another, over which groups are being restored."""
+    """End the server's connection; wait until the next connection is open, on which the server restores the groups."""
     drop(shared)
     await until(lambda: not shared.connected)
     await until(lambda: shared.connected)
 
 
 class Asker:
-    """A client that asks for one thing after another, and judges every sample by what it was answered.
+    """A client that makes one request after another, and checks each sample against the last answers.
 
     Args:
-        shared: the link.
-        addresses: those that this client alone samples.
+        shared: the shared link.
+        addresses: the addresses that only this client samples.
     """
 
     def __init__(self, shared: SharedLink, addresses: range) -> None:
@@ -58,13 +58,13 @@ class Asker:
         self.samples = 0
         self._addresses = addresses
         self._set: dict[int, int] = {}
-        """The address of each group, as answered last."""
+        """The address of each group, as last confirmed."""
         self._asked: dict[int, int] = {}
-        """The same, as asked for."""
+        """The address of each group, as last requested."""
         self._last: dict[int, int] = {}
 
     async def ask(self, command: str, group: int, address: int | None = None) -> str:
-        """Ask for something, and return the answer."""
+        """Send a command; return the answer."""
         fields = "" if address is None else f"01000A01{address:02X}"
         if address is not None:
             self._asked[group] = address
@@ -80,7 +80,7 @@ class Asker:
         return answer
 
     def _take_samples(self) -> str:
-        """Judge the samples that stand before the next answer, and return that."""
+        """Check the samples before the next answer; return the answer."""
         while b"\n" in self.terminal.heard:
             line, _, self.terminal.heard = self.terminal.heard.partition(b"\n")
             text = line.decode().rstrip("\r")
@@ -94,7 +94,7 @@ class Asker:
         return ""
 
     async def wander(self, seed: int, times: int) -> None:
-        """Set up, start, stop and publish groups at random."""
+        """Configure, start, stop and publish groups at random."""
         choices = random.Random(seed)
         for _ in range(times):
             group, command = choices.randrange(3), choices.choice(["GS", "GS", "GN", "GN", "GX", "GP"])
@@ -172,7 +172,7 @@ def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: st
 
 
 class HoldingBack(Valve):
-    """A gateway that sends samples as late as it may: right before an answer behind which they must not come."""
+    """A gateway that sends samples as late as it may: just before the next answer that no earlier sample may follow."""
 
     held = b""
 
@@ -238,10 +238,10 @@ async def test_group_is_freed_if_its_client_leaves_before_its_requests_are_sent(
 
 
 class LosingAnswers(Valve):
-    """Loses the first answer to each command that is named.
+    """Loses the first answer to each of the given commands.
 
     Args:
-        gateway: what is behind.
+        gateway: the gateway at the end of the line.
         commands: in lower case.
     """
 
@@ -315,7 +315,7 @@ async def test_missed_samples_are_counted_once_if_a_restoration_is_interrupted()
         await until(lambda: b"P00" in client.heard)
         due = (shared.loop.time() - began) * 100
         number = next(int(frame[3:5], 16) for frame in client.take().splitlines() if frame.startswith(b"P00"))
-        # The pauses between attempts grow, and a number has two digits.
+        # Allow a difference, because the pauses between attempts grow; a sequence number has two digits.
         assert (due - number) % 256 < 10
 
 
@@ -336,7 +336,7 @@ async def test_server_survives_a_client_that_leaves_while_its_groups_are_restore
             other.transport.write(b"R10\r")
             await until(lambda: b"R" in other.heard)
             assert re.search(rb"R10[0-9A-F]{8}\r\n$", other.take())
-            # Else the pauses between attempts grow.
+            # Wait, so that the pauses between attempts do not grow.
             await asyncio.sleep(2)
     assert [record.message for record in caplog.records if record.levelno >= logging.ERROR] == []
 

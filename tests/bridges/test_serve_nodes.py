@@ -1,4 +1,4 @@
-"""Nodes of one port, each served at an address of its own."""
+"""Nodes of one port, each served at its own address."""
 
 from __future__ import annotations
 

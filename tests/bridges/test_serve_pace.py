@@ -1,4 +1,4 @@
-"""Limits of what the clients of a shared link may have under way."""
+"""Limits on the bytes that clients of a shared link have in flight."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from unity_link.bridges.serve.turns import LEAST_AHEAD, LONGEST_WAIT, Pace
 
 
 def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
-    """Carry all that is allowed over a line, again and again; each goes there and back in no less than 0.1 ms."""
+    """Carry the allowed bytes over a line repeatedly; each round trip takes at least 0.1 ms."""
     now = 0.0
     while now < seconds:
         size = pace.most_ahead

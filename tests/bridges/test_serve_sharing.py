@@ -1,4 +1,4 @@
-"""Several clients on one link: what each may rely on, whatever the others and the lines do."""
+"""Several clients on one link: the guarantees that each client has, whatever other clients and lines do."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000
-"""A base frequency at which simulated time is quick."""
+"""A base frequency with few ticks, so that simulated time passes quickly."""
 OF_A_SESSION = [
     Codec(GatewayInfo()).request("R", 0, b"0A", SEED),
     Codec(GatewayInfo()).request("W", 0, b"0A00000001", SEED),
 ]
 FAILING = 0x44
-"""An address whose accesses end in a bus error."""
+"""An address at which every access ends in a bus error."""
 
 
 # Exactly once, in order
@@ -90,7 +90,7 @@ class Program:
         elif kind == 4:
             await link.read_block(address, 5)
         else:
-            # The whole batch before any other call of this client is in line.
+            # The requests of this batch precede those of other calls of the client.
             await link.read_many(range(40))
 
 
@@ -231,13 +231,14 @@ async def test_single_read_waits_for_one_turn_of_other_clients_only() -> None:
             left = sum(not task.done() for task in greedy)
             for task in greedy:
                 task.cancel()
-    # 60 blocks of 2 KB are 1.2 s; one turn of each of three others, and what is ahead of them, is some 10 KB.
+    # 60 blocks of 2 KB take 1.2 s; one turn of each of the three other clients, and the bytes ahead of them, about 10
+    # KB.
     assert left > 20
     assert each < 0.12
 
 
 class InOneRead(Valve):
-    """Answers together what it is asked within ten milliseconds."""
+    """Answers all requests of ten milliseconds together."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         super().__init__(gateway)
@@ -273,7 +274,7 @@ async def test_error_of_a_posted_write_precedes_the_answers_to_later_requests() 
         client.transport.write(codec.framing.checked(b"K0000001"))
         await settle(shared)
         client.take()
-        # Where they arrive together, those of single words behind a posted write are not taken together.
+        # Send them in two parts: the server does not take reads after a posted write as one row if all arrive together.
         client.transport.write(b"".join(requests[:2]))
         await asyncio.sleep(0.001)
         client.transport.write(b"".join(requests[2:]))
@@ -287,7 +288,7 @@ async def test_error_of_a_posted_write_precedes_the_answers_to_later_requests() 
 async def busy_with_writes() -> AsyncIterator[
     tuple[RecordedBus, SharedLink, PipedLink, asyncio.Task[None], asyncio.Task[Words]]
 ]:
-    """Share a line with two clients of which one writes for long, and the other reads for longer."""
+    """Share a line between a client with many writes, and a client with more reads."""
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as writer, PipedLink(shared) as reader:
@@ -300,10 +301,10 @@ async def busy_with_writes() -> AsyncIterator[
 @on_simulated_time
 async def test_new_session_begins_after_the_writes_that_a_dead_connection_left() -> None:
     async with busy_with_writes() as (bus, shared, _, writes, reads):
-        # The same program by another connection: the server has not seen yet that the first one is cut.
+        # The same program on another connection; the server has not noticed yet that the first connection is cut.
         async with PipedLink(shared) as after:
             await after.write(1, 400)
-            # Reads change nothing: they are not waited for.
+            # The session does not wait for the reads, which change nothing.
             assert not reads.done()
         await asyncio.gather(writes, reads)
     assert bus.writes == [(1, value) for value in range(401)]
@@ -343,7 +344,7 @@ async def test_clients_with_blocks_and_clients_with_words_share_the_line_equally
         await asyncio.sleep(5)
         for task in tasks:
             task.cancel()
-    # By what they have under way, 128 words and 8 blocks, they would get shares of 1 to 6.
+    # By their requests in flight, 128 words and 8 blocks, their shares would be 1 to 6.
     assert 0.4 < moved["blocks"] / moved["words"] < 2.5
 
 
@@ -521,7 +522,7 @@ async def test_retransmission_is_acknowledged_only_after_the_request_was_execute
         for _ in range(3):
             client.transport.write(write)
             await asyncio.sleep(0.005)
-        # Nothing but signs of life.
+        # The server has sent only signs of life.
         assert client.take() == b"\n\n\n"
         valve.requests_pass = True
         await settle(shared)
@@ -580,7 +581,8 @@ async def be_away(*, power: bool) -> None:
                 while not (sample.lost if power else sample.epoch):
                     sample = await anext(samples)
             if power:
-                # A hundred a second were due meanwhile; the gateway's clock went on, so the client knows how many.
+                # The group was due 100 times a second; the gateway's clock kept running, so that the client can count
+                # the losses.
                 assert sample.lost > 1000 * PATIENCE
             assert (await anext(samples)).lost == 0
         assert [word for address, word in bus.writes if address == 5] == [3]
@@ -662,7 +664,7 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
         valve.requests_pass = False
         client.transport.write(b"K0000001\rws0000A00000001\rgs00103000001010B\rgx00203\rh005\r")
         await asyncio.sleep(0.01)
-        # Each of these would say that the posted write was executed.
+        # Any further answer would confirm the posted write.
         assert client.take() == b"K00000010000\r\n"
         valve.requests_pass = True
         await settle(shared)

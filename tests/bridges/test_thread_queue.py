@@ -1,4 +1,4 @@
-"""Samples on their way from the event loop to a thread: none of those that came is left behind."""
+"""Samples from the event loop to a thread: each received sample is handed over."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def test_all_received_samples_are_handed_over_at_the_end_to_a_slow_consumer(tmp_
             carrier = Carrier(groups, take_slowly, print, buffer=1 << 16)
             running = asyncio.create_task(carrier.run(ThreadPoolExecutor(1)))
             await asyncio.to_thread(busy.wait)
-            while link.statistics.samples < 100:  # noqa: ASYNC110  (nothing tells of samples that nobody takes)
+            while link.statistics.samples < 100:  # noqa: ASYNC110  (no event reports samples before they are taken)
                 await asyncio.sleep(0)
             running.cancel()
             free.set()

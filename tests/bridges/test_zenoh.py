@@ -1,4 +1,4 @@
-"""The bridge to Zenoh as a process, against sessions of Zenoh in this one and links over it."""
+"""The bridge to Zenoh as a process, with sessions of Zenoh in this process and links over Zenoh."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def free_endpoint() -> str:
 
 @contextmanager
 def bridge(endpoint: str, link: str = GATEWAY, prefix: str = "robot/1") -> Iterator[subprocess.Popen[str]]:
-    """Run a bridge that listens at an endpoint."""
+    """Run a bridge that listens on an endpoint; yield the process."""
     with program("zenoh", SPEC, "--link", link, "--prefix", prefix, "--listen", endpoint) as process:
         yield process
 
@@ -58,7 +58,7 @@ def session(endpoint: str) -> Iterator[zenoh.Session]:
 
 
 def ask(peer: zenoh.Session, key: str, payload: object = None) -> Any:
-    """Return the only answer; that of a refusal, too."""
+    """Return the only answer to a query, also if it is a refusal."""
     given = None if payload is None else msgspec.json.encode(payload)
     for _ in range(100):
         for reply in peer.get(key, payload=given):
@@ -212,7 +212,8 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
             unity_link.connect(url(place), timeout=PATIENCE) as link,
             link.subscribe([0x80], rate_hz=100) as mine,
         ):
-            # Beside the requests: what is not taken for as long as a busy machine needs for them is lost.
+            # Take samples while the requests run: a busy machine needs long for the requests, and samples not taken are
+            # lost.
             samples = asyncio.create_task(first_of(mine, 100))
             await link.write_block(0x8C, [1, 2, 3, 4])
             assert (await link.read_block(0x8C, 4)).tolist() == [1, 2, 3, 4]
@@ -255,7 +256,7 @@ def test_a_url_that_makes_no_sense_is_explained(bad: str, words: str) -> None:
 
 
 def gets_a_sample(link: blocking.BlockingLink) -> bool:
-    """Return whether a group is free, and publishes."""
+    """Return True if a group is free, and publishes."""
     with contextlib.suppress(OutOfRangeError), link.subscribe([0x80], rate_hz=100) as mine:
         return bool(next(iter(mine)).values.shape == (1,))
     return False
@@ -273,7 +274,7 @@ def test_killed_client_frees_its_groups_and_no_write_executes_twice() -> None:
         "asyncio.run(main())\n"
     )
     place = free_endpoint()
-    # The bridge has one group, so that the next client gets one only if that of the killed one is free again.
+    # The bridge has one group, so that the next client gets it only after the group of the killed client was freed.
     with bridge(place, GATEWAY + "&groups=2") as process:
         wait_for(process, "scara at robot/1")
         for _ in range(2):
@@ -282,7 +283,7 @@ def test_killed_client_frees_its_groups_and_no_write_executes_twice() -> None:
                 assert client.stdout.readline() == b"busy\n"
                 client.kill()
             with blocking.connect(url(place), timeout=PATIENCE) as link:
-                # On a busy machine the news that it was killed, and its last write, come late.
+                # On a busy machine, the report of the killed client and its last write arrive late.
                 wait_until(lambda: gets_a_sample(link))
                 before = link.read(POS_SP)
                 assert [link.read(POS_SP) for _ in range(20)] == [before] * 20
@@ -315,7 +316,7 @@ def test_link_notices_a_killed_bridge_at_once_and_reconnects_to_the_next() -> No
         asyncio.run(use(place))
 
 
-# Around it
+# Other clients, bridges and routers
 
 
 @pytest.mark.slow
@@ -327,7 +328,8 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
             with program("serve", "sim:scara", "--unix", str(gateway)):
                 wait_for(process, "scara at robot/1" if turn == 0 else "the gateway answers")
                 if turn > 0 and "error" in (answer := ask(peer, "robot/1/write", {"j1.pos_sp": 7})):
-                    # It is another gateway, without what was set. The outcome of a repeated request is unknown.
+                    # The gateway is a new one, without the values set before. The outcome of a retransmitted request is
+                    # unknown.
                     assert answer["error"].startswith("the gateway was reset; the request is ")
                 assert ask(peer, "robot/1/write", {"j1.pos_sp": 9}) == {"written": 1}
                 assert ask(peer, "robot/1/signals/j1/pos_sp") == 9
@@ -378,7 +380,7 @@ def test_client_killed_during_queries_has_written_once_and_others_continue(
 
 @contextmanager
 def counting_up(peer: zenoh.Session) -> Iterator[None]:
-    """Put 0, 1, 2 and so on, to be written."""
+    """Put 0, 1, 2 and so on into the write topic of the bridge until the end of the block."""
     ended = threading.Event()
 
     def put() -> None:

@@ -1,4 +1,4 @@
-"""Fifty virtual gateways in one group of peers, with no router: two processes of 25 bridges each, and this one."""
+"""Fifty virtual gateways in one group of peers without a router: two processes of 25 bridges each, and this process."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def fleet(endpoint: str) -> Iterator[list[subprocess.Popen[bytes]]]:
 
 
 def positions(peer: zenoh.Session) -> dict[int, float]:
-    """Ask all robots at once."""
+    """Return the position of each robot, by one query to all."""
     replies = peer.get("fleet/*/signals/j1/pos_sp", timeout=PATIENCE)
     answers = [reply.ok for reply in replies if reply.ok is not None]
     return {int(str(one.key_expr).split("/")[1]): msgspec.json.decode(one.payload.to_bytes()) for one in answers}

@@ -1,4 +1,4 @@
-"""Requests of a peer of Zenoh to write: any bytes may come, and only what makes sense is written."""
+"""Write requests of a Zenoh peer: any bytes may arrive, and only valid requests are executed."""
 
 from __future__ import annotations
 
