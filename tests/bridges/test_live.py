@@ -34,7 +34,7 @@ def token(monkeypatch: pytest.MonkeyPatch) -> str:
 
 @contextmanager
 def shown(page: Page, *arguments: str, fragment: str | None = None, begins: str = "\0") -> Iterator[Live]:
-    """Run `unity-link live`, and look at it; the page leaves first, as a file on its way would be cut off otherwise."""
+    """Run `unity-link live`, and open its page; leave the page before the end, which would cut off open requests."""
     with live(*arguments, begins=begins) as running:
         page.goto(running.url if fragment is None else f"{running.address}#{fragment}")
         yield running

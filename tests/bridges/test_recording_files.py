@@ -194,7 +194,7 @@ def test_a_file_without_messages_is_one() -> None:
 
 
 def assert_foxglove_takes(schema: dict[str, Any], what: str) -> None:
-    """Demand what Foxglove's reader of JSON schemas does (parseJsonSchema.ts of Foxglove Studio, and Lichtblick)."""
+    """Assert what Foxglove's reader of JSON schemas requires (parseJsonSchema.ts of Foxglove Studio and Lichtblick)."""
     assert schema["type"] == "object", what
     for name, part in schema["properties"].items():
         shown = part

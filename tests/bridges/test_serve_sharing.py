@@ -57,7 +57,7 @@ FAILING = 0x44
 
 
 class Program:
-    """A seeded program of one client, and what the bus must have seen of it: its words have its number on top."""
+    """A random program of one client, and the writes that the bus must see; the upper byte of a word is its number."""
 
     def __init__(self, link: Link, number: int, seed: int) -> None:
         self._link, self._number = link, number

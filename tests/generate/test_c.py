@@ -1,4 +1,4 @@
-"""The generated client in C does what the protocol and the docs say, against real gateways on real media."""
+"""The generated client in C works as the protocol and the documents state, with real gateways on real media."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ DEFAULT_INFO = GatewayInfo()
 
 @pytest.fixture(scope="session")
 def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same for a machine with little memory."""
+    """Return the client with a small window and short frames, for a machine with little memory."""
     directory = tmp_path_factory.mktemp("small_driver")
     generated("c", compile_text(FIGURE_1), directory)
     sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
@@ -275,7 +275,7 @@ def test_gateways_of_any_width_are_understood(client: Driven, settings: dict[str
         if most < 2**64 - 1:
             assert client(f"write 0 {most + 1:X}").startswith(BAD_ARGUMENT)
             assert client(f"wblock 0 0 {most + 1:X}").startswith(BAD_ARGUMENT)
-        # How often a machine is late, and something is sent again, is its own matter.
+        # Only damage is checked: a slow machine may cause retransmissions.
         assert client.words("statistics")[4] == 0
 
 
@@ -379,7 +379,7 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         assert client("rblock FF 0") == "38 block read at 0xFF: at least one word is needed"
         for command, name in (("wblock", "block write"), ("wqueue", "queue write")):
             refused = f"38 {name} at 0x00: the gateway's words have fewer bits"
-            # The last word is of a request of its own.
+            # The last word belongs to a request of its own.
             assert client(f"{command} 0 {'1 ' * 0xFF}10000") == refused
             assert client(f"{command} 0 10000{' 1' * 0xFF}") == refused
         assert client.words("statistics")[0] == sent
@@ -473,7 +473,7 @@ def test_a_signal_that_the_program_handles_leaves_a_connection_its_time(runtime:
     objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
     program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
     with socket.create_server(("127.0.0.1", 0), backlog=0) as full, socket.create_connection(full.getsockname()):
-        # The one place is taken, so that whoever knocks now is not answered.
+        # The backlog has room for one connection, which is taken, so that the next connection is not accepted.
         handled, error = output(program, f"tcp://127.0.0.1:{full.getsockname()[1]}").split(" ", 1)
     assert error.rstrip().endswith("cannot be opened: the connection was not accepted in time")
     assert int(handled) > 10
@@ -574,7 +574,7 @@ def test_child_program_does_not_keep_the_connection_open(
 
 def test_a_time_out_may_be_longer_than_the_system_can_wait_at_once(client: Driven) -> None:
     with simulate("tcp") as url:
-        # In milliseconds, the largest int and a half.
+        # In milliseconds, half more than the largest int.
         client.words(f"connect {url} 2147483.6475")
         client.words("close")
         client.words(f"connect {url} 1e9")
@@ -640,7 +640,7 @@ def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
 
 
 class Counting:
-    """A queue that gives 0, 1, 2...; and counts what is written to it."""
+    """A queue that returns 0, 1, 2 and so on, and stores written words."""
 
     def __init__(self) -> None:
         self.given = 0
@@ -700,14 +700,14 @@ def test_request_that_the_gateway_rejects_is_given_up_and_later_ones_go_on(clien
 
 
 class Babbling:
-    """A gateway that opens a session, and answers everything else with the same."""
+    """A gateway that opens a session, and then gives the same answer to every request."""
 
     def __init__(self, answer: bytes) -> None:
         self._gateway, self._answer = VirtualGateway(), answer
         self.stops = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is answered."""
+        """Return the answers to bytes."""
         frames = [frame for frame in re.split(rb"(?<=[\r\n])", data) if frame.strip()]
         return b"".join(self._answer if frame[0] in b"ghirw" else self._gateway.receive(frame, now) for frame in frames)
 
@@ -765,18 +765,18 @@ def test_timeout_covers_the_latency_of_a_usb_chip_unless_the_medium_has_less(
 
 
 class Faulty:
-    """A gateway of which the answers that a pattern finds are damaged, so many times each."""
+    """A gateway that damages each answer that a pattern matches `times` times."""
 
     def __init__(self, pattern: bytes, times: int, info: GatewayInfo = DEFAULT_INFO) -> None:
         self._gateway, self._pattern, self._times = VirtualGateway(info), re.compile(pattern), times
         self._damaged: Counter[bytes] = Counter()
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Return the bytes that arrive."""
         answers = self._gateway.receive(data, now).splitlines(keepends=True)
-        return b"".join(self._fate(answer) for answer in answers)
+        return b"".join(self._after_faults(answer) for answer in answers)
 
-    def _fate(self, answer: bytes) -> bytes:
+    def _after_faults(self, answer: bytes) -> bytes:
         if not self._pattern.match(answer) or self._damaged[answer] == self._times:
             return answer
         self._damaged[answer] += 1
@@ -807,12 +807,12 @@ def test_losses_among_many_requests_are_detected_almost_without_timeouts(driver:
             ]
         _, _, _, timeouts, damaged, _ = client.words("statistics")
         assert damaged > 100
-        # The last line end of a batch is behind all that could be a sign that it was lost.
+        # If the last line end of a batch is lost, no later answer reveals it; only then a time-out is needed.
         assert timeouts < damaged / 50
         assert client.now < 1.1
 
 
-# What spoils a line, of a hundred bytes.
+# Errors on a line, as chances for each byte.
 SPOILED = [
     {"flip": 0.01},
     {"loss": 0.01},
@@ -821,7 +821,7 @@ SPOILED = [
     {"flip": 0.005, "double": 0.01},
 ]
 TWO_DIGITS = GatewayInfo(id_digits=2)
-"""With which half the ring is as many requests as the client has places for."""
+"""Half of its sequence space is as many requests as the client has places for."""
 COMPACT = GatewayInfo(id_digits=2, features=GatewayInfo().features | Feature.COMPACT)
 BOTH_FORMS = pytest.mark.parametrize("info", [TWO_DIGITS, COMPACT], ids=["text", "compact"])
 OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXECUTED: 34}
@@ -878,7 +878,7 @@ def test_outcomes_of_requests_at_a_reset_equal_those_of_the_python_host(driver: 
         other.reset_before = 11 * seed
         writes = [host.request("W", 0x10, value) for value in range(200)]
         host.do(*writes)
-        # The host in Python goes on in a new session with what was never sent; the client has ended.
+        # The Python host sends the rest in a new session; the client has ended.
         ended = [OUTCOMES[outcome_of(write)] for write in writes]
         sent = [status for status in told if status != int(LOST_NOT_EXECUTED)]
         assert told[: len(sent)] == ended[: len(sent)] == sent
@@ -911,7 +911,8 @@ def test_retransmission_begins_with_half_the_window_and_grows_with_answers(drive
     with Simulated(driver, losing_two) as client:
         client.words("connect test: 5")
         assert client.words("rmany " + "10 " * 128) == [0] * 128
-        # Nothing came through between the losses; then some answers let one more be sent again beside the next.
+        # Two bursts are lost completely. After that, each `DONE_FOR_ONE_MORE` answers allow one more retransmission at
+        # a time.
         assert sizes[:2] == [128, 64]
         came = 0
         for size in sizes[2:]:
@@ -927,7 +928,7 @@ def test_answered_requests_are_not_retransmitted_nor_taken_for_signs_of_loss(dri
         sent.extend(re.findall(rb"r[^\n]*", data))
         answers = gateway.receive(data, now).splitlines(keepends=True)
         if len(sent) == 4:
-            # The answers to the first three are lost.
+            # The answers to the first three requests are lost.
             answers = answers[-1:]
         waiting.extend(answers)
         return waiting.pop(0) if waiting else b""
@@ -982,7 +983,7 @@ def test_link_opens_without_timeouts_if_one_byte_in_a_hundred_is_damaged(driver:
             client.words(f"connect test:{QUICK_TIMEOUT} 5")
             took.append(client.now)
             client("close")
-    # A round trip is a millisecond, and a try that nothing answers a hundred.
+    # A round trip takes a millisecond, and an attempt without an answer a hundred.
     assert statistics.median(took) < 0.02
     assert max(took) < 1
 
@@ -1004,7 +1005,7 @@ def test_an_opening_that_noise_has_drawn_out_does_not_have_later_losses_wait(dri
 
 
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(driver: Path) -> None:
-    # One answer at a time has room on the way back, so requests wait before the gateway.
+    # The way back has room for one answer at a time, so that requests wait before the gateway.
     built = {
         "features": Feature(0x7F) & ~Feature.FLOW_CONTROL,
         "receive_fifo_bytes": 64,
@@ -1050,14 +1051,14 @@ def test_a_gateway_that_goes_away_ends_the_calls(client: Driven) -> None:
 
 
 class FallingSilent:
-    """A gateway that answers no requests any more from an instant on; what it publishes goes on."""
+    """A gateway that stops answering requests at some instant, and continues to publish."""
 
     def __init__(self) -> None:
         self._gateway = VirtualGateway()
         self.is_silent = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is sent."""
+        """Return the bytes that the gateway sends."""
         return self._gateway.advance(now) if self.is_silent else self._gateway.receive(data, now)
 
 
@@ -1093,7 +1094,7 @@ def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver
         client.words("connect test: 5")
         for value in range(150):
             client.words(f"write 10 {value:X}")
-        # What was sent again then is answered, and leaves nothing in doubt.
+        # The retransmitted request was answered, so that its outcome is certain.
         assert client.words("statistics")[2] == 1
         gateway.reset()
         for value in range(1, 95):
@@ -1170,8 +1171,8 @@ def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(drive
 
 
 def test_every_write_is_executed_once_or_reported_whatever_a_gateway_answers(driver: Path) -> None:
-    worlds = [random_answers.play(driver, seed) for seed in range(4, 12)]
-    statuses = {status for world in worlds for status in world.writes}
+    scenarios = [random_answers.play(driver, seed) for seed in range(4, 12)]
+    statuses = {status for world in scenarios for status in world.writes}
     assert {"posted", "0", LOST.strip(), LOST_NOT_EXECUTED.strip()} <= statuses
 
 
@@ -1232,7 +1233,7 @@ def test_samples_stop_at_a_reset_which_is_reported_and_resume_on_a_new_link(driv
         client.words("close")
         client.words("connect test: 5")
         client.words("write 11 5")
-        # This one takes the group that the other had, and has the other take another.
+        # This subscription takes the group that the other one had, and the other one gets a new group.
         client.words("subscribe 1 100 - 11")
         client.words("again 0")
         assert client("next 0 1") == "0 0 0 0x0p+0 0"
@@ -1328,7 +1329,7 @@ def test_gateway_of_another_version_is_reported_with_a_remedy_and_left_alone(dri
 
 
 def reporting(reported: bytes) -> Callable[[bytes, float], bytes]:
-    """Return a gateway that says other things of itself than it does."""
+    """Return a gateway that reports another configuration than its own."""
     gateway, check, told = VirtualGateway(), Framing(Crc()).checked, GatewayInfo().to_hex()
 
     def receive(data: bytes, now: float) -> bytes:
@@ -1560,7 +1561,7 @@ def test_samples_lost_on_the_way_and_in_the_storage_are_counted(client: Driven) 
         seen = [client("next 0 5").split()[1:3] for _ in range(5)]
         assert seen == [["0", "0"], ["1", "0"], ["4", "2"], ["6", "1"], ["7", "0"]]
         assert client.words("lost 0") == [3]
-        # The storage of this client holds 8.
+        # The storage of this client has room for 8 samples.
         for _ in range(11):
             client.words("publish 0")
         assert client("next 0 5").split()[1:3] == ["11", "3"]
@@ -1635,14 +1636,14 @@ def test_a_subscription_that_cannot_be_is_refused(client: Driven) -> None:
 
 
 class Hearing:
-    """A gateway that keeps the flags and divisors that groups were asked for with."""
+    """A gateway that stores the flags and divisors of configured groups."""
 
     def __init__(self) -> None:
         self._gateway = VirtualGateway()
         self.schedules: list[tuple[int, int]] = []
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Return the bytes that arrive."""
         for flags, divisor in re.findall(rb"gs.{5}(..)(....)", data):
             self.schedules.append((int(flags, 16), int(divisor, 16)))
         return self._gateway.receive(data, now)
@@ -1681,7 +1682,7 @@ def test_old_or_refused_settings_of_a_subscription_do_not_affect_a_new_one(drive
             client.words(f"rate 0 {rate}")
             client.words("again 0")
             client.words("unsubscribe 0")
-        # Refused for its address, when its rate had been found good.
+        # The address is refused after the rate was accepted.
         assert client("subscribe 0 100 - 100").startswith(BAD_ARGUMENT)
         client.words("subscribe 0 0 - 10")
         assert gateway.schedules == [(0, 1), (PERIODIC, 1000), (PERIODIC, 100), (0, 1), (0, 1)]
@@ -1707,7 +1708,7 @@ def test_queued_samples_survive_a_refused_new_subscription(client: Driven) -> No
 
 
 def takes_number(signal: Signal, value: float) -> bool:
-    """Return whether the type in C has a number, be it one that the signal refuses."""
+    """Return True if the type in C can represent a number, even if the signal refuses it."""
     if signal.kind.is_float:
         return True
     low, high = (-(2**63), 2**63) if signal.kind.is_signed else (0, 2**64)
@@ -1724,7 +1725,7 @@ def c_value(signal: Signal, value: Value) -> str:
 
 
 def accessor(signal: Signal) -> tuple[str, str, str]:
-    """Return type, printf format and name of the functions of a signal of `every_kind`."""
+    """Return the type, printf format and function name for a signal of `every_kind`."""
     if signal.kind.is_float:
         return "double", "%a", "ul_{}_real"
     if signal.kind.name is KindName.BOOL:
@@ -1737,7 +1738,7 @@ def accessor(signal: Signal) -> tuple[str, str, str]:
 
 
 def step(signal: Signal, expression: str, value: Value) -> str:
-    """Write C that sets a signal, and prints the status, its words on the bus, and the value that is read back."""
+    """Return C code that sets a signal, and prints the status, the words on the bus, and the value read back."""
     kind, form, function = accessor(signal)
     return (
         f"{{ {kind} value = {c_value(signal, value)}; uint64_t words[8];\n"

@@ -1,4 +1,4 @@
-"""The generated client in C cuts frames of both forms as the page says, and uses text on lines that change bytes."""
+"""The generated client in C reads frames of both forms as the page defines, and uses text if a line changes bytes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ WORDS = [0x00111300, 0xFFFFFFFF, 0xB5CAD30A, 0x0D800011]
 
 @pytest.fixture(scope="module")
 def expanding(runtime: list[Path]) -> Path:
-    """Return a program that prints the text that the client makes of bytes."""
+    """Return a program that prints the text frames which the client makes of received bytes."""
     folder = runtime[0].parent
     options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
     subprocess.run([*C, *options, HERE / "expanding.c", "-o", folder / "expanding"], check=True, timeout=PATIENCE)
@@ -38,7 +38,7 @@ def expanding(runtime: list[Path]) -> Path:
 
 
 def texts(program: Path, cases: Iterable[tuple[Widths, int, bytes]]) -> list[list[bytes]]:
-    """Return the lines that the client makes of bytes of a gateway, so many at a time, for each case."""
+    """Return, for each case, the lines that the client makes of a gateway's bytes, read `size` bytes at a time."""
     words = [
         f"{widths.id_digits} {widths.crc_digits} {widths.address_digits} {-1 if widths.node is None else widths.node} "
         f"{size} {data.hex().upper()}\n"

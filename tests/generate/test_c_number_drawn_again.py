@@ -1,4 +1,4 @@
-"""The generated client in C proves after an idle second that the session under way is its own, as Python does."""
+"""After an idle second, the generated client in C proves that the session is its own, as the Python host does."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ TEXT = GatewayInfo(id_digits=2)
 
 
 class Line:
-    """A client on simulated time, its gateway, and the frames that it sends."""
+    """A client on simulated time, its gateway, and the frames that the client sends."""
 
     def __init__(self, driver: Path, info: GatewayInfo = TEXT, *, echoes: bool = False) -> None:
         self.gateway = VirtualGateway(info)
         self.bus = RecordedBus(self.gateway)
         self.sent: list[bytes] = []
         self.lost: set[int] = set()
-        """Frames of both directions that are lost, counted from 0."""
+        """Numbers of the frames that are lost, counted from 0 over both directions."""
         self._count = 0
         self._echoes = echoes
         self.client = Simulated(driver, self._carry)
@@ -61,7 +61,7 @@ class Line:
         self.forget()
 
     def draw_again(self, ahead: int) -> None:
-        """Have another program begin a session of the same number, whose next ID is so far ahead of the client's."""
+        """Begin another session with the same number, whose next ID is `ahead` of the client's."""
         number, expected = self.gateway.session, self.gateway.expected
         self.gateway.begin(number % 100 + 1, 0)
         self.gateway.begin(number, expected + ahead & RING - 1)

@@ -1,4 +1,4 @@
-"""The generated client in C tells the cause of garbage, echoes and losses on its line, and is never held up by them."""
+"""The generated client in C reports the cause of garbage, echoes and losses on its line, and never hangs."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ LOST, NO_CONNECTION = "32 ", "36 "
 
 
 class Replaced:
-    """A gateway whose answers are replaced by something else from an instant on.
+    """A gateway whose answers are replaced by other bytes from some instant on.
 
     Args:
-        heard: what comes each time that the client waits.
+        heard: the bytes that arrive each time the client waits.
     """
 
     def __init__(self, heard: bytes) -> None:
@@ -41,7 +41,7 @@ class Replaced:
         self.is_replaced = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is sent."""
+        """Return the bytes that arrive."""
         return self._heard if self.is_replaced else self._gateway.receive(data, now)
 
 
@@ -98,13 +98,13 @@ def test_noise_while_nothing_is_asked_for_ends_no_link(driver: Path) -> None:
 
 
 MOST_TAKEN = 16 * 2 * 4160
-"""Bytes between two looks at the clock: as many reads as there may be, into the whole buffer."""
+"""Most bytes between two checks of the clock: the largest number of reads, each of a full buffer."""
 ENDLESS = {"empty lines": b"\n", "carriage returns": b"\r", "empty plain lines": b"\r\n", "letters": b"PrXn"}
 
 
 @pytest.fixture(scope="module")
 def endless(runtime: list[Path]) -> Path:
-    """Return a program whose medium has always more, however much it takes."""
+    """Return a program whose medium always has more bytes, however many the program reads."""
     folder = runtime[0].parent
     options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
     subprocess.run([*C, *options, HERE / "endless.c", "-o", folder / "endless"], check=True, timeout=PATIENCE)
@@ -127,7 +127,7 @@ def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless
 
 
 def echoing(gateway: Callable[[bytes, float], bytes]) -> Callable[[bytes, float], bytes]:
-    """Return a gateway behind an adapter that hears itself."""
+    """Return a gateway on an adapter that receives its own bytes."""
     return lambda data, now: data + gateway(data, now)
 
 

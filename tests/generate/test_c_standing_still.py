@@ -1,4 +1,4 @@
-"""A client in C counts and dates samples as they were taken, also those that waited while its program stood still."""
+"""A client in C numbers and dates samples right, also samples that waited while its program was suspended."""
 
 from __future__ import annotations
 

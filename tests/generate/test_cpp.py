@@ -75,14 +75,14 @@ joint(): @(base) {
 
 @pytest.fixture(scope="session")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """The C below the walker, compiled once, beside its headers."""
+    """Compile the C files of the walker once; return the objects, with the headers in the same folder."""
     directory = tmp_path_factory.mktemp("walker")
     files = generated("cpp", WALKER, directory)
     return compiled(C, [path for path in files if path.suffix == ".c"], directory, *SANITIZED)
 
 
 def program(body: str, objects: list[Path]) -> Path:
-    """Compile the body of a program that has the walker as `robot`; the same body only once."""
+    """Compile a program whose body uses the walker as `robot`; compile each body only once."""
     directory = objects[0].parent
     source = directory / f"program_{hashlib.sha256(body.encode()).hexdigest()[:16]}.cc"
     made = source.with_suffix("")

@@ -1,4 +1,4 @@
-"""The pages of a register map: whole, well-formed, in need of nothing, and with everything that the spec says."""
+"""The pages of a register map: complete, well-formed, self-contained, and with all contents of the spec."""
 
 # ruff: noqa: RUF001  (the pages have the signs of mathematics)
 
@@ -56,7 +56,7 @@ VOID = {"meta", "input", "col"}
 
 
 class Checker(HTMLParser):
-    """Reads a page, and sees that each element that is opened is closed."""
+    """Parses a page, and checks that each opened element is closed."""
 
     def __init__(self, page: str) -> None:
         super().__init__()
@@ -97,7 +97,7 @@ def pages(spec: Spec) -> tuple[str, str]:
 
 
 def check(spec: Spec) -> None:
-    """See that the pages of a spec are well-formed and have all signals with their addresses."""
+    """Check that the pages of a spec are well-formed, and have all signals with their addresses."""
     html, text = pages(spec)
     checker = Checker(html)
     assert checker.sources == []

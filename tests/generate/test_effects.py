@@ -1,7 +1,7 @@
-"""Signals with an effect in generated clients: no event is lost with an answer, and no write touches a neighbour.
+"""Signals with an effect in generated clients: no event is lost with an answer, and no write changes a neighbour.
 
-Each program does the same on a robot that counts: events are made, read and cleared, and pulses are made. The answer to
-its first read that clears is lost.
+Each program does the same on a robot that counts: it makes, reads and clears events, and makes pulses. The answer to
+its first read that clears events is lost.
 """
 
 from __future__ import annotations
@@ -150,8 +150,8 @@ def losing_line() -> Iterator[FaultyLine]:
     with serve(effects_gateway()) as url, FaultyLine(url, "tcp", [lose(r"^rq")]) as line:
         yield line
     numbers = [frame[2:5] for frame in line.requests if frame.startswith("rq")]
-    assert len(numbers) > len(set(numbers)), "the lost answer was asked for again"
-    # Nothing else reads these words, and a masked write is needed beside the plain field alone.
+    assert len(numbers) > len(set(numbers)), "the client did not repeat the request whose answer was lost"
+    # No other request reads these words, and only the plain field needs a masked write.
     assert not any(re.match(r"r[0-9A-F]{3}1[01]", frame) for frame in line.requests)
     assert {frame[5:7] for frame in line.requests if frame.startswith("wk")} == {"13"}
 

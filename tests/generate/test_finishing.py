@@ -1,4 +1,4 @@
-"""Leases of programs in C and Octave that want what is scheduled to run out when they are silent."""
+"""Leases of programs in C and Octave that let the schedule run to its end when the program is silent."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def in_c(folder: Path, url: str, finishes: bool) -> subprocess.Popen[str]:
 
 @pytest.fixture(params=["c", "octave"])
 def begin(request: pytest.FixtureRequest) -> Begin:
-    """Return what starts a program that arms the drive, and is silent from then on."""
+    """Return a function that starts a program which arms the drive, and is silent from then on."""
     if request.param == "c":
         return in_c
     octave: Octave = request.getfixturevalue("octave")

@@ -1,4 +1,4 @@
-"""Whoever copies a file of the gateware, or generates one, has its licence in it."""
+"""Every file of the gateware, and every generated file, contains its licence."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The class that is generated for MATLAB, run by GNU Octave against `unity-link simulate`."""
+"""The generated class for MATLAB, run by GNU Octave with `unity-link simulate`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def literals(signal: Signal, values: list[Value]) -> str:
-    """Write values as a column, exactly: those that a double does not hold are put together from halves."""
+    """Return values as a column, exactly: those that a double cannot represent are composed of two halves."""
     if shown_values(signal, values).startswith("double"):
         return "hex2num({" + " ".join(f"'{struct.pack('>d', value).hex()}'" for value in values) + "})"
     if signal.kind.name is KindName.BOOL:
@@ -41,7 +41,7 @@ def literals(signal: Signal, values: list[Value]) -> str:
 
 
 def shown_values(signal: Signal, values: list[Value]) -> str:
-    """Return what `show` prints for values of a signal."""
+    """Return the text that `show` prints for values of a signal."""
     kind = signal.kind
     if kind.name is KindName.BOOL:
         return " ".join(["logical", *(str(int(value)) for value in values)])
@@ -61,7 +61,7 @@ def test_values_of_every_kind_are_encoded_and_decoded_as_by_the_model(octave: Oc
         script, expected = [], {}
         for bits in WORD_BITS:
             spec = every_kind(bits)
-            # One class for each width.
+            # One class for each word width.
             spec = msgspec.structs.replace(
                 spec, interfaces=(msgspec.structs.replace(spec.interface(), name=f"robot_{bits}"),)
             )
@@ -164,7 +164,7 @@ public robot() {
         assert shown[label].startswith("unity_link:argumentError "), shown[label]
     assert shown["posted"] == doubles(-5)
     assert shown["integer"] == doubles(-6)
-    # Behind the port there is plain memory.
+    # The port belongs to plain memory.
     assert shown["taken"] == doubles(5, 5)
     assert shown["one"] == doubles(5)
     assert shown["all"] == doubles(11, 5, 3, 1)
@@ -241,7 +241,7 @@ def test_the_guide_says_what_happens(octave: Octave) -> None:
     assert shown == told
 
 
-# Names, and the text
+# Names and texts
 
 
 def test_arrays_keywords_and_names_of_the_class_are_reached(octave: Octave) -> None:
@@ -360,12 +360,12 @@ def test_the_text_is_one_that_matlab_shows_whole() -> None:
     assert {file.name for file in files} >= {"walker.m", "+unity_link/Link.m", "+unity_link/Signal.m"}
     for file in [file for file in files if file.name.endswith(".m")]:
         assert max(map(len, file.text.splitlines())) <= 132, file.name
-        # In MATLAB these are no char arrays.
+        # In MATLAB, double quotes do not make char arrays.
         assert '"' not in file.text, file.name
 
 
 def test_the_text_is_matlab_and_nothing_of_octave_alone(octave: Octave) -> None:
-    """Octave itself tells where a file uses more than MATLAB has."""
+    """Octave warns if a file uses a feature that MATLAB lacks."""
     octave.generate(compile_file(EXAMPLES / "scara.ul"))
     files = sorted(str(path.relative_to(octave.folder)) for path in octave.folder.rglob("*.m"))
     extended = "classdef extended\nmethods\nfunction f(obj)\nx = 1;\nx += 1;\nend\nend\nend\n"

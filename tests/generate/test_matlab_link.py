@@ -94,7 +94,7 @@ def test_words_are_read_written_and_posted_and_errors_have_identifiers(octave: O
     assert shown["masked"] == doubles(42)
     assert shown["after masked"] == doubles(37)
     assert shown["block"] == doubles(1, 2, 0xFFFFFFFF)
-    # MATLAB's order is by columns.
+    # MATLAB orders elements by columns.
     assert shown["many"] == doubles(2, 37, 1, 0xFFFFFFFF)
     assert shown["written many"] == doubles(7, 8)
     assert shown["queue"] == doubles(3, 3)
@@ -152,7 +152,7 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
 
 
 def of_another_session(answer_to_k: bytes, _: int) -> bytes:
-    """Return the answer to the `K` of another session than the one that this is of."""
+    """Return the answer to `K` for another session than the requested one."""
     return Framing(Crc()).checked(b"K%03X%b" % (int(answer_to_k[1:4], 16) ^ 1, answer_to_k[4:-5]))
 
 
@@ -163,14 +163,14 @@ def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies, [damage("^K")]) as line:
         shown = octave.run(f"link = unity_link.Link('{line.url}'); link.write(1, 3); show('read', link.read(1));")
         assert line.count("^Q") >= 4
-        # Damaged, its answer lost, that of another session, and its own.
+        # Damaged, lost, for another session, and right.
         assert line.count("^K") >= 4
     assert shown == {"read": doubles(3)}
 
 
 @contextlib.contextmanager
 def hanging_up() -> Iterator[str]:
-    """Return the URL of a server that ends the one connection that it takes."""
+    """Yield the URL of a server that accepts one connection and ends it."""
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def hang_up() -> None:
@@ -233,7 +233,7 @@ attempt('no choice', @() scara('{wrong}?map=all'));
     assert shown["wrong"].startswith(f"unity_link:unsupported {told}")
 
 
-# What is kept in the MEX file
+# State in the MEX file
 
 _HANDLES = """\
 link = unity_link.Link('{url}');
@@ -373,7 +373,7 @@ end_unwind_protect
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate(timeout=LONGEST_RUN)
     assert output.splitlines() == [f"read\t{doubles(9)}", f"samples\t{doubles(9)}"]
-    # That of a script that was interrupted.
+    # The exit code of an interrupted script.
     assert process.returncode == 1
 
 
@@ -446,7 +446,7 @@ def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
 
 
 def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tuple[int, int]]]:
-    """Return lines of a script, and the writes that they make, in order."""
+    """Return random lines of a script, and the writes that they make, in order."""
     lines, writes, words = [], [], dict.fromkeys(range(256), 0)
     for number in range(1, count + 1):
         address = chance.randrange(240)
@@ -471,7 +471,7 @@ def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tu
 async def test_every_write_over_a_noisy_line_is_executed_exactly_once_and_in_order(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     lines, writes = random_writes(random.Random(1), 200)
-    # With 8 bits, one damaged frame in 256 would pass.
+    # With a CRC of 8 bits, one damaged frame in 256 would pass.
     gateway = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
     bus = RecordedBus(gateway)
     chances = {"loss": 0.003, "flip": 0.003, "double": 0.002}
@@ -545,7 +545,7 @@ attempt('fence', @() link.fence());
 
 
 class ResetButton:
-    """Resets its gateway when a write to it is answered."""
+    """Resets its gateway after the answer to a write to this device."""
 
     def __init__(self, gateway: ObservedGateway) -> None:
         self._gateway = gateway
@@ -554,11 +554,11 @@ class ResetButton:
         return 0
 
     def write(self, offset: int, value: int, now: float) -> None:
-        self._gateway.reset_behind = True
+        self._gateway.reset_after = True
 
 
 def gateway_with_reset_button() -> ObservedGateway:
-    """Return a gateway that a write to address 254 resets."""
+    """Return a gateway that is reset by a write to address 254."""
     gateway = ObservedGateway()
     gateway.detach([254])
     gateway.attach(ResetButton(gateway), [254])
@@ -573,7 +573,7 @@ def test_gateway_reset_on_an_open_line_loses_the_link_and_a_new_link_works(octav
     assert shown["sampled"] == shown["read"] == doubles(7)
     assert shown["silent"] == "logical 1"
     reset = "unity_link:linkLost the gateway was reset, which ends the link; the request is "
-    # On a busy machine they are sent again before the answer has come: perhaps executed is true of these.
+    # On a busy machine, writes are retransmitted before the answer arrives; those are perhaps executed.
     ends = {reset + "known not to be executed", reset + "perhaps executed"}
     assert {shown[f"write {number}"] for number in range(1, 21)} <= ends
     assert shown["sampled again"] == doubles(1)
@@ -627,7 +627,7 @@ link = unity_link.Link('{line.url}');
 samples = link.subscribe(1, 'rate_hz', 100);
 attempt('write', @() link.write(1, 1));
 """)
-        # So many time outs are five seconds.
+        # So many time-outs take five seconds.
         assert line.count("^w") < 20
     assert shown["write"] == (
         "unity_link:linkLost the gateway does not answer any more: is it powered and connected, or does another "
@@ -694,7 +694,7 @@ def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: t
         )
         sent = [frame for frame in line.requests if frame.startswith("r")]
     assert shown["words"] == doubles(0)
-    # The answers to all that the first turn sends are lost, so what follows is the first one again.
+    # The answers to the whole first burst are lost, so that the next request is the first one again.
     assert sent.index(sent[0], 1) == most
 
 

@@ -1,4 +1,4 @@
-"""The generated module: its types are right for mypy --strict, and what it does is what `unity_link.load` does."""
+"""The generated module: mypy --strict accepts its types, and it works as `unity_link.load` does."""
 
 from __future__ import annotations
 
@@ -157,7 +157,7 @@ def test_the_generated_robot_is_the_one_of_load(word_bits: int, tmp_path: Path) 
 
 def test_the_model_survives_the_module() -> None:
     def stripped(value: Any) -> Any:
-        """Leave out where in the source things stand."""
+        """Return a description without the places in the source."""
         if isinstance(value, dict):
             return {key: stripped(item) for key, item in value.items() if key != "span"}
         return [stripped(item) for item in value] if isinstance(value, list) else value

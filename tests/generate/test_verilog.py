@@ -1,4 +1,4 @@
-"""Verilog of a spec: at the clock and the baud rate that are asked for."""
+"""Verilog of a spec, for the requested clock and baud rate."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The gateware for a design of one's own: copied as a folder, and beside what is generated from a spec."""
+"""The gateware for a user's own design: copied as a folder, and beside the files generated from a spec."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_the_copy_is_the_gateware_with_scripts_constraints_and_licence(tmp_path:
     assert (copied / "LICENSE").read_text().startswith("BSD 3-Clause")
     assert {"import/vivado.tcl", "unity_link.core", "constraints/README.md"} <= gateware_files().keys()
     assert all((copied / line).is_file() for line in in_compile_order())
-    # Nothing else is left in the folder above.
+    # The folder above contains no other file.
     assert list((tmp_path / "new").iterdir()) == [copied]
 
 
