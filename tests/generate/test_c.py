@@ -1172,7 +1172,7 @@ def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(drive
 
 def test_every_write_is_executed_once_or_reported_whatever_a_gateway_answers(driver: Path) -> None:
     scenarios = [random_answers.play(driver, seed) for seed in range(4, 12)]
-    statuses = {status for world in scenarios for status in world.writes}
+    statuses = {status for scenario in scenarios for status in scenario.writes}
     assert {"posted", "0", LOST.strip(), LOST_NOT_EXECUTED.strip()} <= statuses
 
 
