@@ -121,7 +121,7 @@ def test_errors_are_those_of_the_link() -> None:
         blocking.connect("tcp://127.0.0.1:1")
 
 
-def test_a_closed_link_says_so_and_leaves_no_thread() -> None:
+def test_closed_link_raises_and_leaves_no_thread() -> None:
     before = threading.active_count()
     link = blocking.connect("sim:")
     link.close()
@@ -190,7 +190,7 @@ def test_the_end_of_the_block_raises_the_errors_of_posted_writes() -> None:
         link.read(0)
 
 
-def test_each_thread_hears_of_its_own_posted_writes_at_its_own_fence() -> None:
+def test_fence_of_a_thread_raises_for_its_own_posted_writes() -> None:
     posted, heard = threading.Event(), threading.Event()
 
     def post_and_stay(link: blocking.BlockingLink) -> None:
@@ -315,7 +315,7 @@ def test_calls_of_other_threads_learn_that_the_link_was_closed() -> None:
             samples.publish()
 
 
-def test_a_callback_that_calls_the_link_is_told_that_it_must_not() -> None:
+def test_callback_that_calls_the_link_gets_an_error() -> None:
     told: list[BaseException] = []
     with blocking.connect("sim:") as link:
 
@@ -365,7 +365,7 @@ def test_samples_are_taken_while_the_program_does_something_else(served: tuple[V
     assert [sample.sequence for sample in taken] == list(range(1000))
 
 
-def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp_path: Path) -> None:
+def test_take_returns_the_requested_number_of_samples_or_fewer_at_the_end(tmp_path: Path) -> None:
     with contextlib.ExitStack() as stack:
         portal = stack.enter_context(start_blocking_portal())
         serving = stack.enter_context(contextlib.ExitStack())
@@ -491,7 +491,7 @@ with blocking.connect(sys.argv[1]) as link:
     assert (result.stdout, result.stderr) == ("True\n", "")
 
 
-def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGateway, str]) -> None:
+def test_link_dropped_by_its_own_callback_is_closed(served: tuple[VirtualGateway, str]) -> None:
     kept: list[object] = []
 
     def forget(_: object) -> None:
@@ -578,7 +578,7 @@ def test_a_block_that_fills_every_buffer_is_written_whole(served: tuple[VirtualG
         assert link.read_block(0, 256).tolist()[words[-1] and (len(words) - 1 & 0xFF)] == words[-1]
 
 
-def test_a_link_works_where_an_event_loop_is_running(served: tuple[VirtualGateway, str]) -> None:
+def test_blocking_link_works_beside_a_running_event_loop(served: tuple[VirtualGateway, str]) -> None:
     async def as_in_a_notebook() -> int:
         with blocking.connect(served[1]) as link, blocking.connect("sim:") as simulated:
             simulated.write(1, 3)
@@ -587,7 +587,7 @@ def test_a_link_works_where_an_event_loop_is_running(served: tuple[VirtualGatewa
     assert asyncio.run(as_in_a_notebook()) == 3
 
 
-def test_nobody_who_answers_is_an_error_after_the_time_that_was_given() -> None:
+def test_port_without_a_gateway_is_an_error_after_the_time_out() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         port = server.getsockname()[1]
         with pytest.raises(unity_link.ConnectError, match=r"no gateway answered at tcp://.* within 0\.1 s"):
@@ -595,14 +595,14 @@ def test_nobody_who_answers_is_an_error_after_the_time_that_was_given() -> None:
     assert threads_of_links() == []
 
 
-def test_what_passes_is_in_a_snoop(served: tuple[VirtualGateway, str], tmp_path: Path) -> None:
+def test_snoop_of_a_blocking_link_has_its_frames(served: tuple[VirtualGateway, str], tmp_path: Path) -> None:
     snoop = tmp_path / "snoop.pcapng"
     with blocking.connect(f"{served[1]}?snoop={snoop}") as link:
         link.write(0x0A, 0x12)
     assert snoop.stat().st_size > 200
 
 
-def test_a_subscription_without_its_block_says_what_to_write() -> None:
+def test_subscription_without_a_block_is_an_error_that_asks_for_with() -> None:
     with blocking.connect("sim:") as link:
         samples = link.subscribe([0x10], rate_hz=100)
         with pytest.raises(unity_link.ArgumentError, match="`with` in blocking code"):

@@ -57,7 +57,7 @@ def test_the_tests_of_a_part_are_among_those_that_run(file: str, test: str) -> N
     assert not {"tests/bridges", "tests/virtual", "tests/generate", "tests/link", "tests/protocol"} & set(found)
 
 
-def test_every_room_of_the_package_has_tests() -> None:
+def test_every_package_and_module_has_tests() -> None:
     folders = [path for path in (ROOT / "unity_link").iterdir() if (path / "__init__.py").exists()]
     files = [path for path in (ROOT / "unity_link").glob("*.py") if not path.name.startswith("__")]
     for path in (*folders, *files):
@@ -99,7 +99,7 @@ def commit(folder: Path, name: str) -> None:
     git(folder, "commit", "-q", "-m", name)
 
 
-def test_on_main_the_last_commit_and_what_is_not_committed_are_the_change(repository: Path) -> None:
+def test_change_on_main_is_the_last_commit_and_uncommitted_work(repository: Path) -> None:
     (repository / "first").write_text("otherwise")
     (repository / "né w").write_text("")
     assert check.changed_files() == ["first", "né w", "second"]

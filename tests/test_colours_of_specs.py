@@ -69,7 +69,7 @@ def test_kinds_are_those_of_the_language() -> None:
     assert set(KINDS) == set(PLAIN_KINDS)
 
 
-def test_what_is_no_token_is_an_error() -> None:
+def test_invalid_token_is_an_error() -> None:
     assert (Error, "$") in coloured("public $ robot")
 
 

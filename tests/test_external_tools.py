@@ -159,7 +159,7 @@ def test_verilog_of_the_cache_that_was_cut_is_converted_anew(monkeypatch: pytest
     assert to_verilog("ul_synchroniser").read_bytes() == whole
 
 
-def test_what_fetches_ghdl_reports_a_full_disk_and_not_that_something_failed(tmp_path: Path) -> None:
+def test_full_disk_while_ghdl_is_downloaded_is_reported_as_such(tmp_path: Path) -> None:
     script = (
         "echo 'Err:1 x Error writing to file - write (28: No space left on device)'; echo 'E: Some index files' >&2"
     )
@@ -169,9 +169,7 @@ def test_what_fetches_ghdl_reports_a_full_disk_and_not_that_something_failed(tmp
         ghdl._call(["sh", "-c", f"{script}; exit 100"], tmp_path)
 
 
-def test_fetching_ghdl_reports_a_disk_without_room_for_its_lists(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_full_disk_for_the_package_lists_of_ghdl_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     work = tmp_path / "work"
     work.mkdir()
     monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=57_344))

@@ -78,7 +78,7 @@ def here(tmp_path: Path, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
-def test_a_command_runs_twice_and_replaces_no_file_that_is_not_its_own(command: str, here: Path) -> None:
+def test_command_replaces_its_own_files_and_no_other(command: str, here: Path) -> None:
     given = contents()
     assert said_by(command) == ("", "")
     made = contents()
@@ -114,7 +114,7 @@ def test_the_model_beside_a_spec_survives_each_target(here: Path) -> None:
     assert here.is_dir()
 
 
-def test_several_files_in_the_way_are_told_together(here: Path) -> None:
+def test_several_existing_files_are_reported_together(here: Path) -> None:
     for name in ("rover.h", "rover.c", "unity_link.h", "unity_link.c", "unity_link_posix.c"):
         Path(name).write_bytes(MINE)
 
@@ -125,7 +125,7 @@ def test_several_files_in_the_way_are_told_together(here: Path) -> None:
     assert here.is_dir()
 
 
-def test_what_was_generated_of_another_spec_is_replaced(here: Path) -> None:
+def test_files_generated_from_another_spec_are_replaced(here: Path) -> None:
     said_by("generate c rover.ul")
     Path("rover.ul").write_text(ROVER.replace("= 1", "= 2"))
     before = contents()
@@ -176,9 +176,7 @@ def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -
         (b"\xff\x00\x1b" * 5000, False),
     ],
 )
-def test_a_file_is_known_by_its_first_lines_or_by_what_is_to_be_written(
-    content: bytes, *, goes: bool, tmp_path: Path
-) -> None:
+def test_own_file_is_recognised_by_its_mark_or_by_equal_contents(content: bytes, *, goes: bool, tmp_path: Path) -> None:
     path = tmp_path / "x"
     path.write_bytes(content)
 
@@ -205,7 +203,7 @@ def test_a_file_that_cannot_be_read_stays(tmp_path: Path) -> None:
     assert path.read_bytes() == OURS
 
 
-def test_what_has_no_mark_is_known_by_the_list_beside_it_until_it_is_changed(tmp_path: Path) -> None:
+def test_file_without_a_mark_is_recognised_by_the_list_until_it_changes(tmp_path: Path) -> None:
     write_texts({"a.vhd": "one\n", "b/c.f": "two\n", "d.py": OURS.decode()}, tmp_path)
     done = subprocess.run(["sha256sum", "-c", LIST], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines() == ["a.vhd: OK", "b/c.f: OK"]
@@ -228,7 +226,7 @@ def test_a_list_that_somebody_else_made_vouches_for_nothing(tmp_path: Path) -> N
         write_texts({"a.vhd": "two\n"}, tmp_path)
 
 
-def test_what_came_while_a_file_was_being_made_stays(tmp_path: Path) -> None:
+def test_file_that_appears_during_writing_is_kept(tmp_path: Path) -> None:
     path = tmp_path / "x"
 
     def write() -> None:
@@ -243,7 +241,7 @@ def test_what_came_while_a_file_was_being_made_stays(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_where_the_last_of_several_cannot_get_its_name_none_has_one(tmp_path: Path) -> None:
+def test_no_file_is_written_if_one_of_several_cannot_be_renamed(tmp_path: Path) -> None:
     def write() -> None:
         with Writing(overwrite=True) as writing:
             (tmp_path / "b").write_bytes(MINE)
@@ -288,7 +286,7 @@ def test_a_link_stays_and_the_file_at_its_end_is_replaced(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("content", [MINE, None], ids=["to a file", "to nothing"])
-def test_nothing_is_written_through_a_link_to_what_is_not_our_own(content: bytes | None, tmp_path: Path) -> None:
+def test_symbolic_link_to_a_users_file_is_refused(content: bytes | None, tmp_path: Path) -> None:
     target, link = tmp_path / "mine", tmp_path / "rover.py"
     if content is not None:
         target.write_bytes(content)
@@ -318,7 +316,7 @@ def test_a_link_at_the_temporary_name_is_not_written_through(tmp_path: Path, mon
     assert not (tmp_path / "x").exists()
 
 
-def test_temporary_names_are_told_by_nothing(tmp_path: Path) -> None:
+def test_temporary_names_cannot_be_predicted(tmp_path: Path) -> None:
     names = set()
     for _ in range(2):
         with Writing() as writing:
@@ -350,7 +348,7 @@ def test_the_mode_of_a_file_and_that_of_a_new_one_are_as_the_user_wants_them(tmp
 
 
 @pytest.mark.parametrize("interrupt", [KeyboardInterrupt, OSError])
-def test_what_is_interrupted_leaves_nothing(interrupt: Callable[[], BaseException], tmp_path: Path) -> None:
+def test_interrupted_writing_leaves_nothing(interrupt: Callable[[], BaseException], tmp_path: Path) -> None:
     def stopped() -> None:
         with Writing() as writing:
             writing.open(tmp_path / "new" / "folder" / "x").close()

@@ -117,7 +117,7 @@ async def tried(call: Callable[[Any, Any], Any], robot: Any, given: Any) -> str:
 
 @pytest.mark.parametrize("name", CALLS)
 @on_simulated_time
-async def test_what_is_no_number_or_fits_no_field_is_refused(name: str) -> None:
+async def test_values_that_are_no_numbers_or_fit_no_field_are_refused(name: str) -> None:
     async with unity_link.connect(simulated(SPEC.interface())) as link:
         robot = Robot(link)
         requests = link.statistics.requests
@@ -130,7 +130,7 @@ async def test_what_is_no_number_or_fits_no_field_is_refused(name: str) -> None:
 
 
 @on_simulated_time
-async def test_a_float_signal_takes_each_number_that_its_bits_say() -> None:
+async def test_float_signal_accepts_each_number_of_its_format() -> None:
     async with unity_link.connect(simulated(SPEC.interface())) as link:
         robot: Any = Robot(link)
         for given in (math.inf, -math.inf, 1e38, np.float64("inf"), Decimal("Infinity")):
@@ -165,5 +165,5 @@ async def test_a_time_of_this_machine_or_a_sample_is_a_number_of_seconds() -> No
     ],
     ids=["a whole number", "a fraction", "a text", "NaN", "None"],
 )
-def test_an_error_shows_what_was_given_in_eighty_characters(given: object, text: str) -> None:
+def test_error_shows_the_given_value_in_eighty_characters(given: object, text: str) -> None:
     assert shown(given) == text

@@ -63,7 +63,7 @@ def left_nothing(left: Left) -> bool:
 @pytest.mark.slow
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize("name", TOOL_COMMANDS)
-def test_a_command_with_tools_leaves_nothing_behind_at_a_signal(name: str, tmp_path: Path) -> None:
+def test_command_with_tools_leaves_nothing_at_a_signal(name: str, tmp_path: Path) -> None:
     draw = random.Random(name)
     for turn in range(20):
         left = interrupted(tmp_path / str(turn), name, draw, 5.0)
@@ -72,7 +72,7 @@ def test_a_command_with_tools_leaves_nothing_behind_at_a_signal(name: str, tmp_p
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(40))
-def test_no_command_leaves_anything_behind_at_a_signal(seed: int, tmp_path: Path) -> None:
+def test_no_command_leaves_anything_at_a_signal(seed: int, tmp_path: Path) -> None:
     draw = random.Random(seed)
     for turn in range(25):
         name = draw.choice(list(COMMANDS))

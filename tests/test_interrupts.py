@@ -334,7 +334,7 @@ def test_handler_that_raises_ends_a_call_that_waits_for_a_callback(url: str, han
 
 
 @pytest.mark.parametrize("way", ["handler", "exit"])
-def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
+def test_exception_of_a_callback_ends_the_call_that_runs_it(
     way: str, url: str, handled: list[int], caplog: pytest.LogCaptureFixture
 ) -> None:
     begun: list[int] = []
@@ -560,7 +560,7 @@ def test_signal_at_any_instant_of_start_soon_lets_the_nursery_end(url: str) -> N
 
 
 @pytest.mark.parametrize("kind", [TimeoutError, StoppedError])
-def test_what_a_handler_raises_ends_the_block_under_trio(kind: type[BaseException], url: str) -> None:
+def test_exception_of_a_handler_ends_the_block_under_trio(kind: type[BaseException], url: str) -> None:
     def stop(*_: object) -> None:
         raise kind
 
@@ -580,7 +580,7 @@ def test_what_a_handler_raises_ends_the_block_under_trio(kind: type[BaseExceptio
         trio.run(program)
 
 
-def test_handlers_are_the_programs_own_after_a_block_under_trio(url: str, handled: list[int]) -> None:
+def test_handlers_of_the_program_are_restored_after_a_block_under_trio(url: str, handled: list[int]) -> None:
     async def program() -> None:
         own = signal.getsignal(signal.SIGINT)
         async with unity_link.connect(url) as link, unity_link.connect(url) as other:

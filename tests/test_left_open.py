@@ -141,7 +141,7 @@ async def serve_and_leave(server: AbstractAsyncContextManager[Any], *, left_open
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
-def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Path) -> None:
+def test_unclosed_server_warns(name: str, tmp_path: Path) -> None:
     what = name.partition(",")[0]
     with pytest.warns(ResourceWarning) as told:  # noqa: PT031
         asyncio.run(serve_and_leave(SERVERS[name](tmp_path), left_open=True))
@@ -151,7 +151,7 @@ def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Pa
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
-def test_what_is_served_in_a_block_is_quiet(name: str, tmp_path: Path) -> None:
+def test_server_closed_by_its_block_is_quiet(name: str, tmp_path: Path) -> None:
     assert_quiet(lambda: asyncio.run(serve_and_leave(SERVERS[name](tmp_path), left_open=False)))
     assert list(tmp_path.iterdir()) == []
 
@@ -165,7 +165,7 @@ def test_networks_that_are_served_in_a_block_are_quiet() -> None:
     assert_quiet(lambda: asyncio.run(serve_both()))
 
 
-def test_a_server_without_async_with_says_so() -> None:
+def test_server_without_async_with_is_an_error() -> None:
     server: Any = serve_tcp(VirtualGateway())
     said = r"^nothing is served yet: write `async with serve\.\.\.\(\.\.\.\) as url:`$"
     with pytest.raises(unity_link.ArgumentError, match=said):

@@ -220,7 +220,7 @@ async def test_a_lease_that_is_armed_and_disarmed_is_logged_at_info(lines: Lines
 
 @pytest.mark.parametrize("error", [None, ZeroDivisionError()])
 @on_simulated_time
-async def test_a_lease_whose_program_does_not_kick_is_a_warning(lines: Lines, error: Exception | None) -> None:
+async def test_lease_without_kicks_is_logged_as_a_warning(lines: Lines, error: Exception | None) -> None:
     async with unity_link.connect(simulated(ROBOT.interface())) as link:
         rover = unity_link.load(ROBOT)(link)
         with contextlib.suppress(ZeroDivisionError):

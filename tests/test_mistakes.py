@@ -145,7 +145,7 @@ def _with_ports(text: str, ports: dict[str, str]) -> str:
 
 @pytest.mark.parametrize("mistake", COMMANDS, ids=lambda mistake: mistake.tried)
 @pytest.mark.usefixtures("folder")
-def test_a_mistaken_command_says_what_the_page_says(
+def test_mistaken_command_prints_the_error_on_the_page(
     mistake: Mistake, ports: dict[str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(sys, "argv", shlex.split(_with_ports(mistake.tried, ports)))
@@ -164,7 +164,9 @@ def _sentence(line: str) -> str:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mistake", COMMANDS[::12], ids=lambda mistake: mistake.tried)
-def test_a_program_says_it_too(mistake: Mistake, folder: Path, ports: dict[str, str]) -> None:
+def test_mistaken_command_as_a_process_prints_the_same_error(
+    mistake: Mistake, folder: Path, ports: dict[str, str]
+) -> None:
     _, *arguments = shlex.split(_with_ports(mistake.tried, ports))
     result = subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     assert (str(result.returncode), result.stdout) == (mistake.ends, "")
@@ -192,7 +194,7 @@ async def surroundings(section: str) -> AsyncIterator[dict[str, Any]]:
 
 @pytest.mark.parametrize("mistake", PYTHON, ids=lambda mistake: f"{mistake.section}: {mistake.tried}")
 @pytest.mark.usefixtures("folder")
-def test_a_mistake_in_a_program_raises_what_the_page_says(mistake: Mistake, ports: dict[str, str]) -> None:
+def test_mistake_in_a_program_raises_the_error_on_the_page(mistake: Mistake, ports: dict[str, str]) -> None:
     async def attempt() -> BaseException | None:
         async with surroundings(mistake.section) as names:
             code = compile(

@@ -147,7 +147,7 @@ def test_every_module_that_a_spec_can_name_has_a_proxy() -> None:
 
 
 @on_simulated_time
-async def test_a_proxy_of_ones_own_stands_on_the_address_of_a_memory() -> None:
+async def test_users_own_proxy_has_the_address_of_its_memory() -> None:
     class Stepper(Module):
         """A stepper motor."""
 

@@ -106,7 +106,7 @@ def test_the_clock_of_sim_is_that_of_its_url_and_not_of_the_spec(option: str, cl
         assert link.gateway.clock_hz == clock_hz
 
 
-def test_the_program_of_the_first_page_prints_where_the_robot_is(tmp_path: Path) -> None:
+def test_program_on_the_first_page_prints_the_position_of_the_robot(tmp_path: Path) -> None:
     page = ROOT / "README.md"
     program = tmp_path / "arm.py"
     program.write_text(files_of(page)["arm.py"], encoding="utf-8")

@@ -108,7 +108,7 @@ def test_no_module_is_a_drawer_for_odds_and_ends() -> None:
     assert [path for path in tracked_files(ROOT) if path.stem in {"util", "utils", "helpers", "misc", "common"}] == []
 
 
-def test_every_file_says_at_its_top_why_it_is_there() -> None:
+def test_every_file_begins_with_its_purpose() -> None:
     sources = [path for path in tracked_files(ROOT) if path.suffix in {".py", ".vhd", ".mk", ".sby"}]
     silent = [path for path in sources if not re.match(r'(#!.*\n)?(#|--|r?""")', path.read_text(encoding="utf-8"))]
     assert silent == []
@@ -155,14 +155,14 @@ def test_every_picture_of_the_documents_is_shown_and_made_by_a_command() -> None
     assert made - {"peers.png"} == set(PICTURES)
 
 
-def test_every_make_target_stands_in_the_help() -> None:
+def test_every_make_target_is_in_the_help() -> None:
     makefile = (ROOT / "Makefile").read_text()
     phony = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
     described = set(re.findall(r"^([a-z0-9-]+):.*## ", makefile, re.MULTILINE))
     assert phony == described
 
 
-def test_the_table_of_commands_has_what_each_family_adds() -> None:
+def test_table_of_commands_has_the_commands_of_each_family() -> None:
     for family in set(FAMILIES.values()):
         alone = typer.Typer()
         importlib.import_module(f"unity_link.cli.{family}").add_to(alone)
@@ -179,7 +179,7 @@ def test_the_reference_of_the_command_line_has_every_command() -> None:
     assert {family for family in families if f"unity-link {family} " not in reference} == set()
 
 
-def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
+def test_table_of_files_to_change_names_existing_files() -> None:
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     table = text.partition("## To add something")[2].partition("\n## ")[0]
     paths = {name for name in re.findall(r"`([\w./]+)`", table) if "/" in name or "." in name}
@@ -189,7 +189,7 @@ def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
     assert [path for path in places if not ((ROOT / path).exists() or (ROOT / "unity_link" / path).exists())] == []
 
 
-def test_the_terms_name_what_the_code_has() -> None:
+def test_terms_name_items_of_the_code() -> None:
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     rows = [line.split("|") for line in text.partition("## Terms")[2].splitlines() if line.startswith("| ")][1:]
     terms = [row[1].strip() for row in rows]

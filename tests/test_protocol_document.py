@@ -29,7 +29,7 @@ def documented_gateway(example: Example) -> VirtualGateway:
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
-def test_the_gateway_model_answers_as_the_document_says(example: Example) -> None:
+def test_gateway_model_answers_as_the_document_states(example: Example) -> None:
     gateway = documented_gateway(example)
     for sent, answered in example.exchange:
         assert gateway.receive(sent, now=0.0) == answered, sent

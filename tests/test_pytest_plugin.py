@@ -191,7 +191,7 @@ def test_same_tests_run_on_a_board_except_those_that_need_a_virtual_gateway(fold
 
 
 @pytest.mark.slow
-def test_the_ini_file_says_what_all_tests_have(folder: Path) -> None:
+def test_ini_file_sets_the_defaults_of_all_tests(folder: Path) -> None:
     (folder / "pytest.ini").write_text(
         "[pytest]\nunity_link_spec = rover.ul\nunity_link_model = rover.py:Rover\nunity_link_medium = unix\n"
     )
@@ -219,7 +219,7 @@ def test_links_opened_in_turn_and_at_once_share_the_gateway(folder: Path) -> Non
 
 
 @pytest.mark.slow
-def test_what_is_marked_wrongly_is_told_in_a_sentence(folder: Path) -> None:
+def test_wrong_marks_are_reported_in_one_sentence(folder: Path) -> None:
     for place, mark in enumerate(WRONG):
         (folder / f"test_{place}.py").write_text(
             f"import pytest\n\n@pytest.mark.asyncio\n@pytest.mark.{mark}\nasync def test(unity_link_robot): ...\n"

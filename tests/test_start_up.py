@@ -88,7 +88,7 @@ def test_single_words_are_transferred_without_slow_imports(url: str) -> None:
     assert SLOW.isdisjoint(loaded)
 
 
-def test_the_blocking_face_reads_single_words_without_what_is_slow_to_import(url: str) -> None:
+def test_blocking_api_reads_single_words_without_slow_imports(url: str) -> None:
     loaded = printed(
         """
         import sys
@@ -164,7 +164,7 @@ def test_a_server_has_numpy_from_the_start() -> None:
         ("read sim: 0x10 3", {"numpy"}),
     ],
 )
-def test_a_command_imports_what_it_uses(arguments: str, needs: set[str]) -> None:
+def test_command_imports_only_modules_that_it_uses(arguments: str, needs: set[str]) -> None:
     loaded = printed(COMMAND, *arguments.split())
     assert SLOW.intersection(loaded[loaded.index("modules:") :]) == needs
 
@@ -177,5 +177,5 @@ def test_a_command_imports_no_other_family() -> None:
     }
 
 
-def test_the_protocol_has_no_other_name_than_its_own() -> None:
+def test_unknown_attribute_of_the_wire_package_is_missing() -> None:
     assert not hasattr(wire, "matrices")

@@ -166,7 +166,7 @@ def test_an_error_in_the_block_comes_as_it_is() -> None:
     run(program)
 
 
-def test_without_a_block_it_says_what_to_write() -> None:
+def test_connect_without_a_block_is_an_error_that_asks_for_async_with() -> None:
     async def program() -> None:
         with pytest.raises(unity_link.ArgumentError, match="write `async with"):
             await unity_link.connect("sim:")

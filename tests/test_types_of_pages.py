@@ -206,7 +206,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("check", [by_mypy, by_pyright])
-def test_programs_of_the_pages_have_types_and_what_is_wrong_is_seen(
+def test_programs_of_the_pages_are_typed_and_wrong_ones_are_found(
     check: Callable[[Path], list[str]], programs: Path
 ) -> None:
     found = check(programs)

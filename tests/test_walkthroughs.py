@@ -33,14 +33,14 @@ def test_rover_tutorial_reaches_a_plot_and_a_test_within_135_lines() -> None:
         ("$ cat goodbye.txt", "`cat goodbye.txt` exits with 1: cat: goodbye.txt: No such file"),
     ],
 )
-def test_a_page_that_is_wrong_is_told(block: str, words: str, tmp_path: Path) -> None:
+def test_wrong_page_is_reported(block: str, words: str, tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text(f"**`hello.txt`**\n```text\nhello\n```\n\n```console\n{block}\n```\n")
     with pytest.raises(AssertionError, match=words):
         follow(page, tmp_path)
 
 
-def test_what_is_not_ready_in_the_other_terminal_is_told(tmp_path: Path) -> None:
+def test_missing_output_in_the_other_terminal_is_reported(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("**Terminal 2**\n```console\n$ cat goodbye.txt\nready\n```\n")
     with pytest.raises(AssertionError, match=r"prints\n\nwhere the page says\nready"):

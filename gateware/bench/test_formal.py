@@ -163,7 +163,7 @@ def test_the_properties_are_proved(proof: Proof) -> None:
 
 
 @pytest.mark.parametrize("fault", [*faults()])
-def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
+def test_proof_fails_for_a_fault_in_the_design(fault: tuple[str, str, str]) -> None:
     entity, *replaced = fault
     # That the covers are reached without it is another test.
     proof = dataclasses.replace(next(proof for proof in PROOFS if proof.name == entity), cover_steps=0)

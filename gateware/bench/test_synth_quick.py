@@ -43,13 +43,13 @@ def test_each_top_and_board_is_tried_once_and_boards_alike_share_one_run() -> No
     assert ["ulx3s", "ulx3s_85f"] in tried
 
 
-def test_a_name_that_is_none_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_unknown_name_is_an_error(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(sys, "argv", ["synth_quick", "ulx4s"])
     assert main() == 2
     assert capsys.readouterr().err.startswith("no top and no board has 'ulx4s' in its name: those are default, ")
 
 
-def test_what_a_tool_refuses_is_found_and_what_is_right_is_not(
+def test_designs_that_a_tool_refuses_are_found_and_right_ones_pass(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # `faults` would take a missing tool for a fault of the design.

@@ -215,7 +215,7 @@ def test_gateware_and_model_differ_by_less_than_a_microframe() -> None:
 
 
 @pytest.mark.slow
-def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -> None:
+def test_modelled_results_are_exactly_repeatable(bench: Workbench) -> None:
     found = [
         [
             *measure_latencies(bench, "full stack", 6),
@@ -245,7 +245,7 @@ def test_results_are_json_that_reads_back_as_the_same(results: Results) -> None:
     assert set(schema["$defs"]["Results"]["required"]) == set(Results.__struct_fields__)
 
 
-def test_a_figure_that_is_worse_than_it_must_be_is_told(results: Results) -> None:
+def test_figure_beyond_its_limit_is_reported(results: Results) -> None:
     slow = [
         msgspec.structs.replace(row, total=msgspec.structs.replace(row.total, median=3 * row.total.median))
         for row in results.latencies
@@ -275,7 +275,7 @@ def test_the_three_parts_of_an_access_add_up_to_all_of_it(results: Results) -> N
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_all_of_the_papers_table_1_stands_beside_ours(results: Results) -> None:
+def test_table_1_of_the_paper_is_complete_beside_ours(results: Results) -> None:
     latencies = [msgspec.structs.replace(row, gateware=2.64) for row in results.latencies]
     whole = msgspec.structs.replace(results, gateware=measure_gateware([1, 16]), latencies=latencies)
     for access in ("read", "write"):

@@ -95,7 +95,7 @@ def documents() -> list[Path]:
 
 
 @pytest.mark.parametrize("file", documents(), ids=lambda file: str(file.relative_to(ROOT)))
-def test_what_is_quoted_of_the_paper_is_in_it(file: Path) -> None:
+def test_quotations_of_the_paper_have_its_figures(file: Path) -> None:
     wrong = [quote.text for quote in quotes_in(file.read_text()) if not quote.right]
     assert not wrong, (
         f"{file.relative_to(ROOT)} quotes of the paper: {', '.join(wrong)}; benchmarks/paper/published.py has no such "

@@ -37,7 +37,7 @@ async def work(url: str, info: unity_link.GatewayInfo) -> None:
 
 @pytest.mark.parametrize("form", [Feature(0), Feature.COMPACT], ids=["text", "compact"])
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
-def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo, form: Feature) -> None:
+def test_responder_answers_a_link_with_the_given_widths(info: unity_link.GatewayInfo, form: Feature) -> None:
     info = msgspec.structs.replace(info, features=info.features | form)
     with responder(info) as path:
         asyncio.run(work(f"serial:{path}", info))

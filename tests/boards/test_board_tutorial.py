@@ -55,7 +55,7 @@ def _type(folder: Path, line: str, seconds: float = 60) -> str:
 
 
 @pytest.mark.slow
-def test_what_is_typed_works_and_prints_what_the_tutorial_shows(folder: Path) -> None:
+def test_typed_lines_print_the_output_in_the_tutorial(folder: Path) -> None:
     printed = [_type(folder, line) for line in TYPED]
     assert all(printed)
     shown = re.findall(r"^```text\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
@@ -72,7 +72,7 @@ def test_the_program_of_the_tutorial_runs_on_its_gateware(folder: Path) -> None:
     assert _type(folder, ON_RTL, 500).split() == shown[1].split()
 
 
-def test_the_board_is_what_the_tutorial_says_of_it() -> None:
+def test_board_is_as_the_tutorial_describes_it() -> None:
     (name,) = set(re.findall(r"--board (\w+)", TEXT))
     _, board = load_board(name)
     assert f"baud={board.baud}" in BOARD_URL

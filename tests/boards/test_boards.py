@@ -97,7 +97,7 @@ def test_every_board_has_a_site_for_each_medium_pin_and_a_clock_for_its_baud(nam
 
 
 @pytest.mark.parametrize(("name", "kind"), [("hx8k_breakout", "hx"), ("icebreaker", "u")])
-def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
+def test_yosys_gets_the_kind_of_an_ice40(name: str, kind: str) -> None:
     assert FAMILIES["ice40"].synthesis(load_board(name)[1]).endswith(f" -device {kind}")
 
 
@@ -143,7 +143,7 @@ def test_there_are_boards_with_an_ethernet_port() -> None:
     }
 
 
-def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> None:
+def test_wiring_page_of_the_phy_has_the_pins_of_the_bitstreams() -> None:
     rows = [re.split(r" *\| *", line)[1:-1] for line in BOARDS_PAGE.read_text().splitlines() if "| `phy_" in line]
     told = {row[1].strip("`"): row[3] for row in rows}
     for name in ("ulx3s_rmii", "ulx3s_85f_rmii"):
@@ -163,7 +163,7 @@ def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> 
         ("ulx3s_ft245_sync", "$glbnet$ft_clkout$TRELLIS_IO_IN", "ft_clkout"),
     ],
 )
-def test_a_clock_of_a_placed_design_is_told_by_the_name_of_its_pin(
+def test_clock_of_a_placed_design_is_reported_by_the_name_of_its_pin(
     name: str, net: str, clock: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "place", stand_in(clocks={net: 80.0}))
@@ -189,7 +189,7 @@ def test_there_are_boards_for_the_asynchronous_and_for_the_synchronous_ft245() -
 @pytest.mark.parametrize(
     ("name", "column"), [("ulx3s", -3), ("ulx3s_85f", -3), ("hx8k_breakout", -2), ("tang_nano_9k", -1)]
 )
-def test_the_wiring_page_says_the_pins_that_the_bitstreams_have(name: str, column: int) -> None:
+def test_wiring_page_has_the_pins_of_the_bitstreams(name: str, column: int) -> None:
     rows = [re.split(r" *\| *", line)[1:-1] for line in WIRING.read_text().splitlines() if "`ft_" in line]
     told = {row[4].strip("`"): row[column].rpartition(" ")[2] for row in rows}
     boards = [load_board(other)[1] for other in BUILT if other in (f"{name}_ft245", f"{name}_ft245_sync")]
@@ -399,7 +399,7 @@ def test_a_pll_of_a_gowin_makes_the_frequency_within_its_limits(hz: int) -> None
 
 
 @pytest.mark.parametrize("mhz", [12.5, 20, 25, 48, 162.5])
-def test_a_pll_of_a_gatemate_is_asked_for_what_its_dividers_make(mhz: float) -> None:
+def test_pll_of_a_gatemate_is_set_to_the_frequency_of_its_dividers(mhz: float) -> None:
     text = pll(with_core(load_board("gatemate_evb")[1], int(mhz * 1_000_000)))
     assert f'.REF_CLK("10"), .OUT_CLK("{mhz:g}")' in text
 
@@ -420,7 +420,7 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
 
 @pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s_ft245_sync", "arty_a7", "de10_nano"])
 @pytest.mark.parametrize("declared", ["pool: MEMORY(BASE=0x20)", "@log = 3: unsigned 8 READ(FIFO(16))"])
-def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
+def test_items_that_a_bitstream_would_leave_out_are_refused_at_once(
     declared: str, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(building, "script", pytest.fail)
@@ -456,7 +456,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     ],
     ids=["no_site", "no_site_of_a_gatemate", "too_big", "other"],
 )
-def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> None:
+def test_design_that_nextpnr_refuses_is_reported_in_a_sentence(output: str, sentence: str) -> None:
     reason = next(line for line in output.splitlines() if "ERROR" in line)
     assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, HX8K.medium_pins) == sentence
 
@@ -528,7 +528,7 @@ def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
 REF_CLK = "posedge $glbnet$design.gateway_inst.phy_rx_clk"
 
 
-def test_a_report_says_that_the_times_of_a_phys_pins_are_not_checked(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_report_states_that_times_at_phy_pins_are_not_checked(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     ways = [
         way("<async>", REF_CLK, 0.4, 1.2),
         way(REF_CLK, "<async>", 0.5, 2.0),
@@ -558,7 +558,7 @@ def test_wires_to_a_phy_that_alone_take_too_long_are_an_error(tools: pytest.Monk
 
 
 @pytest.mark.parametrize("medium", PIN_TIMES)
-def test_a_way_within_what_a_chip_leaves_is_none_that_is_too_late(medium: str) -> None:
+def test_path_within_the_interval_of_the_chip_is_not_too_late(medium: str) -> None:
     for pins in PIN_TIMES[medium]:
         if not pins.is_made:
             left = {"in": pins.interval_ns - pins.arrival_ns[1], "out": pins.interval_ns - pins.setup_ns}
@@ -585,7 +585,7 @@ def test_build_takes_a_users_top_and_reports_its_files_and_their_pins(
     assert said == ["top.vhd:3:1: a remark"]
 
 
-def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_top_that_does_not_wait_for_its_pll_is_reported(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     ports = tuple(port for port in generated_ports(HX8K) if not port.name.startswith("chain_"))
     said: dict[bool, list[str]] = {True: [], False: []}
     for waits, told in said.items():
@@ -702,7 +702,7 @@ def test_a_router_that_comes_on_slowly_is_left_alone(
     assert f"1, seed {router}\n" in built.report.read_text()
 
 
-def test_a_nextpnr_that_says_nothing_is_stopped(
+def test_nextpnr_without_output_is_stopped(
     real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(yowasp, "_SILENT_S", 0.1)
@@ -748,7 +748,7 @@ def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("name", ["lamp_mine.bin", "lamp_mine.md"])
-def test_a_build_is_replaced_and_what_somebody_has_changed_of_it_is_not(
+def test_build_replaces_its_own_files_unless_a_user_has_changed_them(
     name: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "run", stand_in())
@@ -821,7 +821,7 @@ def test_a_board_is_programmed_with_the_options_of_its_file(monkeypatch: pytest.
     assert (tmp_path / "arguments").read_text() == "--board ice40_generic lamp.bin\n"
 
 
-def test_a_board_that_is_not_plugged_in_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_missing_board_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     loader_script(tmp_path, 1)
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
     with pytest.raises(BuildError, match=r"^lamp\.bin is made, and openFPGALoader failed: no cable$"):
@@ -922,7 +922,7 @@ def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: st
 
 
 @pytest.mark.campaign
-def test_the_tools_refuse_what_does_not_fit_and_what_is_too_slow(tmp_path: Path) -> None:
+def test_tools_refuse_designs_too_large_or_too_slow(tmp_path: Path) -> None:
     sites = ("21", "9", "8", "78", "79", "80", "81")
     small = changed(HX8K, device="hx1k", package="tq144", pins=dict(zip(PINS["uart"], sites, strict=True)))
     with pytest.raises(BuildError, match=r"lamp does not fit into the hx1k of x: .* logic cells are needed, and there"):

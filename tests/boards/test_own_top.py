@@ -131,7 +131,7 @@ def test_a_pin_brings_its_pull_and_its_voltage_along() -> None:
         ([*UART, scalar("led0"), vector("led", 0, 1)], r"has led0 and led\[0\] at one pin of ulx3s, B2"),
     ],
 )
-def test_a_port_that_is_no_pin_is_refused_by_name_with_what_the_board_has(ports: list[Port], sentence: str) -> None:
+def test_port_without_a_pin_is_refused_with_the_pins_of_the_board(ports: list[Port], sentence: str) -> None:
     with pytest.raises(ArgumentError, match=rf"^top(?:: | ){sentence}"):
         pins_of("top", tuple(ports), "ulx3s", BOARD)
 
@@ -162,7 +162,7 @@ def test_the_top_in_verilog_takes_a_name_that_is_a_word_of_verilog() -> None:
     assert "\\clk_ready ," not in text.partition(");")[0]
 
 
-def test_a_board_without_io_says_so() -> None:
+def test_board_without_io_is_reported() -> None:
     lonely = Board(**{name: getattr(BOARD, name) for name in BOARD.__struct_fields__} | {"io": {}})
     with pytest.raises(
         ArgumentError, match=r"led0 is no pin of mine, whose file has no \[io\], so that clk, uart_rxd, "
@@ -216,7 +216,7 @@ def test_a_vector_has_the_indexes_that_it_was_declared_with(
         (("btn0 xor", "btn1 xor"), r'12:43: no declaration for "btn1"'),
     ],
 )
-def test_a_fault_in_a_users_file_is_told_with_file_line_and_message(
+def test_fault_in_a_users_file_is_reported_with_file_line_and_message(
     replace: tuple[str, str], sentence: str, tmp_path: Path
 ) -> None:
     with pytest.raises(ConversionError) as raised:
@@ -332,7 +332,7 @@ def test_a_project_wants_ports_in_small_letters(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_a_further_file_that_is_not_there_is_told_by_its_name(tmp_path: Path) -> None:
+def test_missing_further_file_is_reported_by_name(tmp_path: Path) -> None:
     spec = tmp_path / "panel.ul"
     spec.write_text(PAGE["panel.ul"])
     done = subprocess.run(

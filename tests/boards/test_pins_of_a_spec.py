@@ -48,12 +48,12 @@ def test_the_spec_of_the_page_is_at_the_sites_of_its_names_and_has_no_chain() ->
     ("change", "sentence"),
     list(zip([(", dir=none", ""), ('"gp2"', '"gp99"'), ('"gp2"', '"gp1"')], REFUSED, strict=True)),
 )
-def test_what_is_wrong_at_the_pins_is_told_as_the_page_says(change: tuple[str, str], sentence: str) -> None:
+def test_faults_at_pins_are_reported_as_on_the_page(change: tuple[str, str], sentence: str) -> None:
     with pytest.raises(ArgumentError, match=f"^{re.escape(sentence).replace(re.escape('...'), '.*')}$"):
         sites(CART.replace(*change))
 
 
-def test_signals_without_a_pin_are_on_a_chain_whose_pins_are_taken() -> None:
+def test_signals_without_a_pin_use_a_chain_whose_pins_are_reserved() -> None:
     chain = {pin: site for pin, site in sites(CHAINED % "led0", "hx8k_breakout").items() if pin.startswith("chain_")}
     assert sorted(chain) == ["chain_clk", "chain_in", "chain_load_n", "chain_out"]
     with pytest.raises(

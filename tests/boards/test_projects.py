@@ -188,7 +188,7 @@ HOSTILE_TITLE = 'Arty"; exec touch PWNED; [exec touch PWNED] $x } { #\nexec touc
 
 
 @pytest.mark.parametrize("name", PROJECTS)
-def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
+def test_title_is_not_executed_by_the_tool(name: str, tmp_path: Path) -> None:
     # A title could call `exec`: record the command instead of running it.
     commands = (*(_QUARTUS if load_board(name)[1].family == "cyclonev" else _VIVADO), "exec")
     said = {}
@@ -200,7 +200,7 @@ def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
     assert said["hostile"] == said["plain"]
 
 
-def test_a_title_is_told_as_it_is_where_a_clock_is_missed(tmp_path: Path) -> None:
+def test_title_is_printed_unchanged_if_times_are_not_kept(tmp_path: Path) -> None:
     board = changed(load_board("arty_a7")[1], title=HOSTILE_TITLE)
     with pytest.raises(tk.TclError) as raised:
         evaluated(make_project(LAMP, "mine", board, tmp_path), (*_VIVADO, "exec"), "bitstream")
@@ -209,7 +209,7 @@ def test_a_title_is_told_as_it_is_where_a_clock_is_missed(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("name", PROJECTS)
 @pytest.mark.parametrize("key", ["device", "package", "io_type", "clk"])
-def test_a_board_whose_strings_end_a_command_is_refused(name: str, key: str, tmp_path: Path) -> None:
+def test_board_with_strings_that_end_a_command_is_refused(name: str, key: str, tmp_path: Path) -> None:
     text = (Path(projects.__file__).with_name("data") / f"{name}.toml").read_text()
     text = text if f"{key} = " in text else f'{key} = "LVCMOS33"\n{text}'
     path = tmp_path / "mine.toml"
@@ -237,7 +237,7 @@ def test_an_ft245_on_a_xilinx_gets_its_pads_and_the_constraints_of_its_pins(tmp_
     assert any(path.endswith("ul_ft245_sync_pins.xdc") for path in read)
 
 
-def test_a_pll_is_not_promised(tmp_path: Path) -> None:
+def test_pll_in_a_vendors_project_is_refused(tmp_path: Path) -> None:
     board = changed(load_board("arty_a7")[1], clock={"hz": 100_000_000, "core_hz": 50_000_000})
     with pytest.raises(ArgumentError, match=r"^no PLL is made in a project of Vivado, and core_hz = 50000000 asks"):
         make_project(LAMP, "mine", board, tmp_path / "out")

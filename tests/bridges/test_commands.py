@@ -74,7 +74,7 @@ def test_values_of_several_threads_are_written_once_and_in_the_order_of_each(rob
     assert told == []
 
 
-def test_what_was_given_before_the_end_is_written_and_nothing_after_it(robot_type: Any, notes: Path) -> None:
+def test_values_given_before_the_end_are_written_and_later_ones_not(robot_type: Any, notes: Path) -> None:
     async def write() -> None:
         async with commanding(robot_type, notes, []) as (robot, commands):
             giving = threading.Thread(target=lambda: commands.give(*[(robot.target, value) for value in range(10_000)]))

@@ -38,7 +38,7 @@ def test_samples_without_timestamps_have_the_instants_of_their_arrival() -> None
     assert Clock().instants(0, None, [100.0, 101.5]) == [100.0, 101.5]
 
 
-def test_samples_that_arrive_together_stand_apart_as_the_gateway_took_them() -> None:
+def test_samples_that_arrive_together_keep_the_gateways_distances() -> None:
     assert Clock().instants(0, [5.0, 5.25, 5.5], [1000.5, 1000.5, 1000.5]) == [1000.0, 1000.25, 1000.5]
 
 
@@ -55,7 +55,7 @@ def test_late_arrivals_neither_turn_time_back_nor_make_it_jump(steps: list[tuple
 
 
 @given(st.lists(st.tuples(st.floats(1e-3, 1.0), st.floats(0.0, 5.0)), min_size=2, max_size=50))
-def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken(steps: list[tuple[float, float]]) -> None:
+def test_delayed_sample_gets_the_time_at_which_it_was_taken(steps: list[tuple[float, float]]) -> None:
     clock = Clock()
     clock.instants(0, [0.0], [1000.0])
     now = 0.0
@@ -114,7 +114,7 @@ def test_samples_that_waited_for_this_program_get_their_true_times(late: float) 
     assert clock.instants(0, [5.0 + late], [1000.0 + late]) == pytest.approx([1000.0 + late], abs=late * 2 * MOST_DRIFT)
 
 
-def test_a_gateway_whose_clock_was_read_a_turn_on_begins_anew() -> None:
+def test_time_of_a_gateway_starts_again_after_a_full_turn_of_its_clock() -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     assert clock.instants(0, [6.0 + 2 * TURN_ON], [1001.0]) == [1001.0]

@@ -124,7 +124,7 @@ async def test_array_and_state_of_the_same_values_in_any_order_are_one_command(
 
 
 @on_simulated_time
-async def test_diagnostics_warn_of_what_went_wrong_since_they_told_last() -> None:
+async def test_diagnostics_warn_about_faults_since_the_last_report() -> None:
     gateway = VirtualGateway()
     gateway.attach(Failing(unity_link.protocol.wire.messages.ErrorCode.BUS_ERROR), [1])
     async with unity_link.connect(gateway) as link:

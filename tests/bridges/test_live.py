@@ -61,7 +61,7 @@ def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
 
 @pytest.mark.slow
 @needs_chromium
-def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page: Page) -> None:
+def test_cards_of_a_users_robot_have_different_headings_and_it_moves(page: Page) -> None:
     spec = f"{EXAMPLES}/rover.ul"
     own = f"sim:{spec}?model={EXAMPLES}/rover.py:Rover"
     # On a busy machine the robot reports that it is slower than real time.
@@ -218,7 +218,7 @@ def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -
 
 
 @needs_chromium
-def test_a_page_with_a_wrong_token_says_so_and_is_only_for_looking(page: Page) -> None:
+def test_page_with_a_wrong_token_reports_it_and_cannot_write(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=wrong"):
         expect(page.locator("#notice")).to_contain_text("Open the link that unity-link live printed")
         expect(page.locator("#write-j1\\.pos_sp")).to_be_disabled()
@@ -266,7 +266,7 @@ def test_the_page_fits_a_screen_and_a_phone_in_light_and_dark(browser: Browser, 
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page: Page, tmp_path: Path) -> None:
+def test_page_reports_an_absent_gateway_and_continues_when_it_returns(page: Page, tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
@@ -287,7 +287,7 @@ def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page: Page, tmp_path: Path) -> None:
+def test_page_shows_the_error_of_a_shared_link_without_its_gateway(page: Page, tmp_path: Path) -> None:
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
         with gateway(tmp_path / "gateway", *simulate) as behind:
@@ -442,7 +442,7 @@ def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Pag
 
 @pytest.mark.slow
 @needs_chromium
-def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
+def test_single_sample_between_gaps_is_a_point(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
         colored = page.evaluate(
             """async () => {

@@ -75,7 +75,7 @@ def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -
 
 
 @pytest.mark.slow
-def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() -> None:
+def test_page_beyond_the_limit_is_refused_until_another_leaves() -> None:
     with live("sim:scara", SPEC) as running, ExitStack() as stack:
         first, last = (stack.enter_context(looking(running)) for _ in range(2))
         hear(first, "about")
@@ -99,7 +99,7 @@ def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() ->
 
 
 @pytest.mark.slow
-def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
+def test_pages_that_end_in_any_way_leave_no_connection_and_no_memory() -> None:
     with live("sim:scara", SPEC) as running, looking(running) as stays:
         about = hear(stays, "about")
         connections, memory = connections_of(running.process.pid), 0
@@ -124,7 +124,7 @@ def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
 # Gateways
 
 
-def test_a_gateway_that_is_not_there_at_the_start_is_told_in_a_sentence(tmp_path: Path) -> None:
+def test_missing_gateway_at_the_start_is_reported_in_one_sentence(tmp_path: Path) -> None:
     result = subprocess.run(
         [PROGRAM, "live", f"unix:{tmp_path / 'nothing'}", SPEC, "--no-browser", "--port", "0"],
         capture_output=True,
@@ -156,7 +156,7 @@ def test_samples_resume_with_the_gateway_and_pages_get_both_changes_of_state(tmp
 
 
 @pytest.mark.slow
-def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: Path) -> None:
+def test_shared_gateway_that_leaves_is_reported_once_and_awaited(tmp_path: Path) -> None:
     refused = "read of j"
     with ExitStack() as stack:
         simulate = ("simulate", "--robot", "scara")
@@ -220,7 +220,7 @@ def test_a_gateway_that_goes_away_before_the_first_sample_is_waited_for(turns: i
 
 
 @pytest.mark.slow
-def test_a_gateway_that_was_reset_behind_an_open_line_is_found() -> None:
+def test_gateway_reset_on_an_open_line_is_detected() -> None:
     model = build_gateway("scara")
     assert isinstance(model, VirtualGateway)
 

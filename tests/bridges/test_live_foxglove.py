@@ -126,7 +126,7 @@ def test_ctrl_c_ends_live_with_one_line_although_one_app_does_not_read() -> None
         assert " samples in " in said
 
 
-def test_a_port_that_is_taken_is_told_in_a_sentence_and_no_page_is_opened() -> None:
+def test_taken_port_is_one_sentence_and_no_page_is_opened() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         result = subprocess.run(
@@ -159,7 +159,7 @@ def test_it_listens_on_this_machine_alone_and_takes_no_writes() -> None:
 @pytest.mark.parametrize(
     "said", ["", "{", "[" * 100_000, '{"op":"subscribe"}', b"", b"\x01", b"\xff" * 1000], ids=range(7)
 )
-def test_what_makes_no_sense_costs_the_others_nothing(said: str | bytes) -> None:
+def test_invalid_message_of_an_app_disturbs_no_other(said: str | bytes) -> None:
     with served("sim:scara") as (_, url), app(url) as (connection, _):
         with connect(url, subprotocols=[Subprotocol("foxglove.sdk.v1")], max_size=None, close_timeout=0) as wild:
             wild.send(said)

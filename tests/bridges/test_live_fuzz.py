@@ -106,7 +106,7 @@ def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
     ],
     ids=lambda said: str(said)[:60],
 )
-def test_nonsense_ends_its_own_connection_and_no_other(running: Live, said: str | bytes) -> None:
+def test_invalid_bytes_end_only_their_own_connection(running: Live, said: str | bytes) -> None:
     with looking(running) as other, looking(running, token=TOKEN) as page:
         about = hear(other, "about")
         hear(page, "welcome")
@@ -121,7 +121,7 @@ def test_nonsense_ends_its_own_connection_and_no_other(running: Live, said: str 
 @pytest.mark.parametrize(
     "value", ["1e999", "-1e400", "9" * 4000, "1e-400", '"' + "\\u0000" * 500 + '"', '"\\ud800"', "true", '"NaN"']
 )
-def test_a_value_that_no_signal_takes_is_refused_or_ends_its_own_connection(running: Live, value: str) -> None:
+def test_invalid_value_is_refused_or_ends_its_own_connection(running: Live, value: str) -> None:
     with looking(running, token=TOKEN) as page:
         hear(page, "welcome")
         page.send(f'{{"type":"write","number":7,"signal":"j1.pos_sp","value":{value}}}'[:4096])
@@ -145,7 +145,7 @@ MESSAGES = (
 
 @settings(max_examples=examples(60))
 @given(messages=st.lists(MESSAGES, min_size=1, max_size=5))
-def test_whatever_a_page_says_others_are_served(running: Live, messages: list[str | bytes]) -> None:
+def test_any_message_of_a_page_leaves_others_served(running: Live, messages: list[str | bytes]) -> None:
     with looking(running) as page, suppress(ConnectionClosed):
         for message in messages:
             page.send(message)
@@ -176,7 +176,9 @@ def test_whatever_frames_come_others_are_served(running: Live, frames: list[byte
     [(PING, b"x" * 125, True), (0, b"", False), (TEXT, b'{"type":"hello","token":""}', True)],
     ids=["pings", "parts", "questions"],
 )
-def test_who_asks_without_end_and_does_not_read_is_bounded(running: Live, kind: int, data: bytes, last: bool) -> None:
+def test_memory_for_a_flooding_page_that_does_not_read_is_bounded(
+    running: Live, kind: int, data: bytes, last: bool
+) -> None:
     page = Sleeper(running)
     before = memory_of(running.process.pid)
     with page.socket, suppress(ConnectionError, TimeoutError):
@@ -188,7 +190,7 @@ def test_who_asks_without_end_and_does_not_read_is_bounded(running: Live, kind: 
     assert memory_of(running.process.pid) - before < 16e6
 
 
-def test_text_that_is_none_ends_its_own_connection(running: Live) -> None:
+def test_text_that_is_not_utf_8_ends_its_own_connection(running: Live) -> None:
     page = Sleeper(running)
     with page.socket, suppress(ConnectionError, AssertionError):
         page.say(TEXT, b"\xff\xfe")
@@ -296,7 +298,7 @@ def test_requests_that_were_damaged_anywhere_stop_nothing(running: Live, data: s
 
 
 @pytest.mark.slow
-def test_silent_and_slow_callers_keep_nobody_out(running: Live) -> None:
+def test_silent_and_slow_callers_keep_no_page_out(running: Live) -> None:
     with looking(running) as page, ExitStack() as stack:
         about = hear(page, "about")
         before = connections_of(running.process.pid)

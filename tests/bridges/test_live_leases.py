@@ -96,7 +96,7 @@ def test_a_page_without_a_token_stops_and_does_not_write(served: str, spec: Path
     end(shown)
 
 
-def test_a_page_of_a_gateway_that_is_away_says_that_nothing_was_stopped(spec: Path, tmp_path: Path) -> None:
+def test_stop_on_a_page_without_its_gateway_reports_that_it_failed(spec: Path, tmp_path: Path) -> None:
     with gateway(tmp_path / "gateway", "serve", f"sim:{spec}") as url:
         running = live(url, str(spec))
         shown = running.__enter__()

@@ -107,7 +107,7 @@ async def test_paused_page_is_not_read_again_when_its_messages_are_handled() -> 
 
 
 @on_simulated_time
-async def test_small_pieces_are_heard_at_no_other_pace_than_large_ones() -> None:
+async def test_small_pieces_are_handled_at_the_pace_of_large_ones() -> None:
     talk = Talk(1)
     await talk.begin()
     for _ in range(20 * MOST_FRAMES):
@@ -144,7 +144,7 @@ async def test_pings_count_as_messages_do() -> None:
 
 
 @on_simulated_time
-async def test_of_a_page_that_has_gone_no_more_is_heard() -> None:
+async def test_messages_of_a_closed_page_are_dropped() -> None:
     talk = Talk(1)
     await talk.begin()
     talk.pages[0].data_received(message("a") * 20 * MOST_FRAMES)

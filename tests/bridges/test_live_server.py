@@ -110,7 +110,7 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
         ((SPEC, "--foxglove-port", "8765"), "--foxglove-port is of --foxglove: give both", 2),
     ],
 )
-def test_what_cannot_be_done_is_said_in_a_sentence(arguments: tuple[str, ...], sentence: str, code: int) -> None:
+def test_impossible_options_are_reported_in_one_sentence(arguments: tuple[str, ...], sentence: str, code: int) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         given = [str(taken.getsockname()[1]) if argument == "PORT" else argument for argument in arguments]
         ports = () if "--port" in given else ("--port", "0")
@@ -171,7 +171,7 @@ def test_a_write_without_the_token_is_refused(
             assert link.read(POSITION_SET_POINT) == 0
 
 
-def test_a_write_is_refused_where_writes_are_off_even_with_a_token(token: str) -> None:
+def test_write_is_refused_if_writes_are_off_even_with_a_token(token: str) -> None:
     with live("sim:scara", SPEC) as running, looking(running, token=token) as connection:
         assert hear(connection, "welcome") == {"type": "welcome", "may_write": False}
         answer = write(connection, "j1.pos_sp", 3)
@@ -322,7 +322,7 @@ async def test_round_trips_take_nothing_out_of_a_queue(others: str, asked: set[i
 
 @on_simulated_time
 @pytest.mark.parametrize("served", [False, True], ids=["its own link", "a shared link"])
-async def test_a_curve_is_interrupted_where_the_gateway_was_away_and_nowhere_else(served: bool) -> None:
+async def test_curve_is_interrupted_only_by_an_absence_of_the_gateway(served: bool) -> None:
     gateway = Valve(build_gateway("scara"))
     async with AsyncExitStack() as stack:
         link: Link

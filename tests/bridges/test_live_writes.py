@@ -196,7 +196,7 @@ def test_a_value_that_was_not_sent_when_the_link_goes_away_never_is(robot_type: 
     run_simulated(lose_it())
 
 
-def test_a_value_whose_page_goes_meanwhile_is_written_once(robot_type: Any) -> None:
+def test_value_of_a_page_that_closes_meanwhile_is_written_once(robot_type: Any) -> None:
     model = VirtualGateway()
     bus = RecordedBus(model)
 

@@ -28,7 +28,7 @@ def test_faults_that_differ_only_in_numbers_are_one_kind_for_each_signal(one: st
     assert told == [f"{text} (told once)" for text in (one, other)][:count]
 
 
-def test_whoever_sends_ever_new_faults_is_told_of_no_more_in_the_end() -> None:
+def test_number_of_reported_kinds_of_faults_is_bounded() -> None:
     told: list[str] = []
     faults = Faults(told.append)
 

@@ -43,7 +43,7 @@ def run(*arguments: str, folder: Path) -> str:
 
 
 @pytest.mark.slow
-def test_the_demo_moves_a_scara_of_ones_own(tmp_path: Path) -> None:
+def test_demo_moves_a_users_scara(tmp_path: Path) -> None:
     summary = json.loads(run("demo", OWN["sim"].url, "--duration", "1", "--json", folder=tmp_path))
     assert summary["samples"] > 50
     assert summary["samples_lost"] == 0

@@ -72,7 +72,7 @@ async def test_between_two_samples_of_a_slow_group_a_gateway_is_there() -> None:
 
 
 @on_simulated_time
-async def test_what_comes_when_asked_for_says_nothing_by_its_silence() -> None:
+async def test_silence_of_samples_on_request_is_no_sign_of_absence() -> None:
     now = asyncio.get_running_loop().time
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link, link.subscribe([0]) as samples:
         presence = Presence(link, now())
@@ -81,7 +81,7 @@ async def test_what_comes_when_asked_for_says_nothing_by_its_silence() -> None:
 
 
 @on_simulated_time
-async def test_a_program_that_stood_still_does_not_take_that_for_silence() -> None:
+async def test_program_that_was_suspended_does_not_take_that_for_silence() -> None:
     now = asyncio.get_running_loop().time
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         async with link.subscribe([0], rate_hz=100) as samples:

@@ -126,7 +126,7 @@ def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, m
 
 
 @pytest.mark.parametrize("share", [0.85, 0.92, 0.98])
-def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Path, share: float) -> None:
+def test_cut_file_has_the_samples_before_the_cut(recorded: Path, tmp_path: Path, share: float) -> None:
     whole = recorded.read_bytes()
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(whole[: int(len(whole) * share)])
@@ -368,7 +368,7 @@ def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", [["record", GATEWAY, str(SPEC), "-o", "x.mcap"], ["replay", "x.mcap", "--pty"]])
-def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: Path) -> None:
+def test_missing_mcap_is_reported_with_the_package_to_install(command: list[str], tmp_path: Path) -> None:
     script = (
         f"import sys; sys.modules['mcap'] = None; sys.argv[1:] = {command}; from unity_link.cli import main; main()"
     )
@@ -404,7 +404,7 @@ def test_full_disk_ends_the_recording_with_one_sentence_and_keeps_the_file(tmp_p
 
 
 @pytest.mark.slow
-def test_a_disk_that_is_full_from_the_beginning_is_told_in_one_sentence() -> None:
+def test_disk_full_from_the_beginning_is_reported_in_one_sentence() -> None:
     result = run("record", GATEWAY, SPEC, "-o", "/dev/full", "--overwrite")
 
     assert result.returncode == 1
@@ -455,7 +455,7 @@ def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_path: Path) -> None:
+def test_recording_is_replaced_on_request(recorded: Path, tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     path.write_bytes(recorded.read_bytes() * 20)
 
@@ -557,7 +557,7 @@ def test_recording_continues_after_a_gateway_reset_on_an_open_line(
 
 
 @pytest.mark.slow
-def test_behind_a_server_the_time_without_samples_is_the_interruption(
+def test_interruption_behind_a_server_is_the_time_without_samples(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)

@@ -131,7 +131,7 @@ def chunk_data(chunk: Chunk) -> bytes:
     return data
 
 
-def test_the_summary_says_what_is_in_the_file(written: bytes) -> None:
+def test_summary_lists_the_contents_of_the_file(written: bytes) -> None:
     reader = make_reader(io.BytesIO(written), validate_crcs=True)
     summary = reader.get_summary()
     assert summary is not None
@@ -230,7 +230,7 @@ def robot_of_floats() -> Any:
     rows=st.lists(st.tuples(*[st.sampled_from([*WORDS])] * len(FLOAT_PATHS)), min_size=1, max_size=5),
     time=st.none() | st.floats(0, 1e6),
 )
-def test_every_message_fits_its_schema_and_says_what_can_be_said(
+def test_every_message_fits_its_schema_and_has_all_representable_values(
     robot_of_floats: Any, rows: list[tuple[float, ...]], time: float | None
 ) -> None:
     signals = [robot_of_floats[path] for path in [*FLOAT_PATHS, "legs[1].on", "gap[1]"]]
@@ -298,7 +298,7 @@ def test_a_file_of_many_channels_chunks_and_notes_passes_it_too(written: bytes, 
 
 
 @pytest.mark.slow
-def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
+def test_doctor_finds_damage(written: bytes, tmp_path: Path) -> None:
     path = tmp_path / "damaged.mcap"
     path.write_bytes(written[:2000] + bytes(50) + written[2050:])
 

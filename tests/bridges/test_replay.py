@@ -110,7 +110,7 @@ def recordings(draw: st.DrawFn) -> Batches:
 
 
 @pytest.mark.parametrize("spec", [SPEC, WITHOUT_A_PERIOD], ids=["of a period", "without a period"])
-def test_a_recording_of_one_instant_stands_still_again_and_again(tmp_path: Path, spec: str) -> None:
+def test_recording_of_one_instant_repeats_its_sample(tmp_path: Path, spec: str) -> None:
     _, player = replay(recorded(tmp_path / "run.mcap", [(0, [(EPOCH, (5, 6))])], set(), spec), loop=True)
     for now in (0.0, 0.1, 5.0, 5000.0):
         assert [player.read(place, now) for place in range(2)] == [5, 6]

@@ -67,7 +67,7 @@ def free_port() -> int:
 # Sockets and access to them
 
 
-def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> None:
+def test_unix_socket_is_private_and_removed_at_the_end(tmp_path: Path) -> None:
     with started("serve", "sim:", XDG_RUNTIME_DIR=str(tmp_path)) as (process, url):
         place = tmp_path / "unity-link.sock"
         assert url == f"unix:{place}"
@@ -121,7 +121,7 @@ def test_a_socket_of_another_kind_is_one_clear_error_and_stays(tmp_path: Path) -
     assert Path(place).is_socket()
 
 
-def test_without_a_runtime_directory_the_place_must_be_said() -> None:
+def test_unix_socket_needs_a_path_without_a_runtime_directory() -> None:
     result = run("serve", "sim:", XDG_RUNTIME_DIR="")
     assert result.returncode == 2
     assert "--unix PATH" in result.stderr
@@ -165,7 +165,7 @@ def test_a_token_that_can_be_none_is_one_clear_error(content: str | None, words:
 
 
 @pytest.mark.slow
-def test_a_wrong_token_is_hung_up_on_and_nothing_is_said(tmp_path: Path) -> None:
+def test_wrong_token_ends_the_connection_without_an_answer(tmp_path: Path) -> None:
     (tmp_path / "token").write_text("open-sesame\n")
     with started("serve", "sim:", "--tcp", "0", "--host", "0.0.0.0", "--token-file", str(tmp_path / "token")) as (
         _,
@@ -266,7 +266,7 @@ def test_the_gateway_may_be_away_at_the_start_and_in_between(tmp_path: Path) -> 
         assert process.poll() is None
 
 
-def test_a_gateway_that_nobody_has_is_wrong_use(tmp_path: Path) -> None:
+def test_unknown_gateway_is_wrong_use(tmp_path: Path) -> None:
     result = run("serve", "sim:delta", "--unix", str(tmp_path / "socket"))
     assert result.returncode == 2
     assert result.stderr.startswith("error: no robot 'delta' is known")
@@ -287,7 +287,7 @@ def test_another_gateway_in_its_place_ends_the_server_with_one_sentence(tmp_path
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_path: Path) -> None:
+def test_client_killed_during_a_request_disturbs_no_other(tmp_path: Path) -> None:
     program = (
         "import sys, unity_link.blocking as b\n"
         "with b.connect(sys.argv[1]) as link, link.subscribe([1], rate_hz=1000) as samples:\n"
@@ -342,7 +342,7 @@ def test_clients_that_stop_reading_or_send_random_bytes_disturb_no_other(tmp_pat
         assert link.statistics.reconnections == 0
 
 
-def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) -> None:
+def test_piped_requests_are_all_answered(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with started("serve", "sim:", "--unix", str(place)) as (_, url), socket.socket(socket.AF_UNIX) as pipe:
         assert run("read", url, "0").returncode == 0
@@ -356,7 +356,7 @@ def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) ->
 
 
 @pytest.mark.slow
-def test_more_callers_than_there_is_room_for_are_hung_up_on(tmp_path: Path) -> None:
+def test_connections_beyond_the_limit_are_closed(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with started("serve", "sim:", "--unix", str(place)) as (_, url), contextlib.ExitStack() as stack:
         assert run("read", url, "0").returncode == 0

@@ -45,7 +45,7 @@ async def is_served(terminal: Terminal) -> bool:
 
 @pytest.mark.parametrize("strangers", [MOST_CLIENTS, MOST_STRANGERS, 3 * MOST_STRANGERS])
 @on_simulated_time
-async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: int) -> None:
+async def test_silent_unauthenticated_clients_keep_no_client_with_the_token_out(strangers: int) -> None:
     async with sharing(VirtualGateway()) as shared:
         silent = [knock(shared) for _ in range(strangers)]
         for _ in range(20):

@@ -139,7 +139,7 @@ def test_clients_get_their_own_samples_once_while_gateway_and_clients_vanish(see
 @pytest.mark.slow
 @pytest.mark.parametrize("when", [step / 1000 for step in range(0, 60, 3)])
 @pytest.mark.parametrize("what", ["leaves", "begins a session", "stops one group and sets up another"])
-def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: str, when: float) -> None:
+def test_client_requests_during_restoration_of_groups_disturb_no_other(what: str, when: float) -> None:
     @on_simulated_time
     async def act() -> None:
         gateway = gateway_of(8)
@@ -209,7 +209,7 @@ async def test_late_samples_of_a_reassigned_group_reach_only_their_own_client() 
 
 
 @on_simulated_time
-async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> None:
+async def test_no_earlier_sample_follows_the_answer_that_begins_a_session() -> None:
     async with sharing(HoldingBack(gateway_of(2))) as shared:
         client, other = call(shared), call(shared)
         client.transport.write(b"GS0000000A0110\rGP00\r")

@@ -77,7 +77,7 @@ async def test_reset_leaves_sent_requests_unknown_and_refuses_queued_session_one
 
 
 @on_simulated_time
-async def test_a_server_whose_number_is_drawn_again_acknowledges_nothing_and_ends() -> None:
+async def test_server_whose_session_number_is_reused_ends_without_acknowledging() -> None:
     gateway = VirtualGateway()
     async with sharing(gateway) as shared:
         client = call(shared)

@@ -122,7 +122,7 @@ def test_writes_are_executed_once_and_in_order_over_bad_lines_on_both_sides(seed
 
 
 @on_simulated_time
-async def test_clients_that_take_the_same_group_have_groups_of_their_own() -> None:
+async def test_clients_that_use_one_group_number_have_separate_groups() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     gateway.memory.update({1: 0x11, 2: 0x22})
     async with (
@@ -353,7 +353,7 @@ async def test_clients_with_blocks_and_clients_with_words_share_the_line_equally
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_only() -> None:
+async def test_client_that_does_not_read_delays_no_other_and_loses_only_samples() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=10_000_000))
     async with sharing(gateway) as shared, PipedLink(shared) as other:
         deaf = call(shared)
@@ -376,7 +376,7 @@ async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_onl
 
 
 @on_simulated_time
-async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
+async def test_output_queue_of_a_client_that_does_not_read_is_bounded() -> None:
     async with sharing(VirtualGateway()) as shared:
         deaf = call(shared)
         deaf.transport.pause_reading()
@@ -405,7 +405,7 @@ async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flo
 
 @pytest.mark.parametrize("flood", [b"W0A00000001", b"WS0A00000001"])
 @on_simulated_time
-async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(flood: bytes) -> None:
+async def test_request_waits_for_few_requests_of_a_flooding_client(flood: bytes) -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(gateway) as shared, PipedLink(shared) as other:
@@ -460,7 +460,7 @@ async def test_output_to_a_client_that_does_not_read_is_bounded() -> None:
     ),
     st.booleans(),
 )
-def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves: bool) -> None:
+def test_any_bytes_of_a_client_leave_others_served(said: list[bytes], leaves: bool) -> None:
     @on_simulated_time
     async def speak() -> None:
         gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
@@ -547,7 +547,7 @@ async def test_a_short_absence_of_the_gateway_is_not_seen() -> None:
 
 
 @pytest.mark.parametrize("power", [True, False], ids=["cable", "power"])
-def test_a_long_absence_is_told_by_errors_and_the_clients_go_on_after_it(power: bool) -> None:
+def test_long_absence_causes_errors_and_clients_continue_afterwards(power: bool) -> None:
     run_simulated(be_away(power=power))
 
 
@@ -642,7 +642,7 @@ async def test_a_server_can_be_ended_at_the_moment_at_which_the_gateway_goes(mon
 
 
 @on_simulated_time
-async def test_what_is_asked_of_a_group_in_a_short_absence_finds_it_set_up_again() -> None:
+async def test_group_is_restored_before_requests_made_in_a_short_absence() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:
         client = call(shared)
@@ -673,7 +673,7 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
 
 
 @on_simulated_time
-async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_order() -> None:
+async def test_posted_writes_are_refused_in_order_while_the_gateway_is_away() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -709,7 +709,7 @@ async def test_lost_posted_write_is_reported_before_the_answers_to_later_request
 
 
 @on_simulated_time
-async def test_behind_a_half_duplex_medium_nothing_is_sent_while_an_answer_is_owed() -> None:
+async def test_half_duplex_server_sends_no_request_before_the_pending_answer() -> None:
     gateway = VirtualGateway(PAIR)
     bus = RecordedBus(gateway, failing=frozenset({FAILING}))
     pair = SharedPair(gateway)

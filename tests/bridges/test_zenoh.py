@@ -107,7 +107,7 @@ def test_signals_are_read_and_written_by_keys_in_batches_and_by_wildcards() -> N
         ("signals/nothing", None, "no signal at"),
     ],
 )
-def test_what_makes_no_sense_is_refused_and_nothing_of_it_is_written(
+def test_invalid_write_request_is_refused_and_nothing_is_written(
     key: str, payload: object, words: str, refusing: zenoh.Session
 ) -> None:
     assert words in ask(refusing, f"robot/1/{key}", payload)["error"]
@@ -159,7 +159,7 @@ def refusing() -> Iterator[zenoh.Session]:
 
 
 @pytest.mark.slow
-def test_publications_are_written_in_order_and_one_beyond_the_limits_is_told() -> None:
+def test_publications_are_written_in_order_and_values_off_limits_reported() -> None:
     place = free_endpoint()
     with bridge(place) as process, session(place) as peer:
         wait_for(process, "scara at robot/1")
@@ -232,7 +232,7 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
 
 
 @pytest.mark.slow
-def test_where_no_bridge_is_the_error_says_what_to_look_at() -> None:
+def test_error_without_a_bridge_names_the_command_that_starts_it() -> None:
     with pytest.raises(ConnectError, match="no bridge answers at robot/1: is `unity-link zenoh --prefix robot/1`"):
         blocking.connect(url(free_endpoint()), timeout=PATIENCE)
 
@@ -474,7 +474,7 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_wrong_use_is_told_in_one_sentence_and_nothing_else(arguments: list[str], words: str) -> None:
+def test_wrong_use_is_reported_in_one_sentence_and_nothing_else(arguments: list[str], words: str) -> None:
     result = subprocess.run(
         [PROGRAM, "zenoh", SPEC, "--link", "sim:scara", *arguments],
         capture_output=True,

@@ -34,7 +34,7 @@ def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
 @pytest.mark.slow
 @given(payload=JSON.map(msgspec.json.encode) | st.binary(max_size=30) | st.just(b'{"word":1e999}'))
-def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, payload: bytes) -> None:
+def test_any_payload_is_written_or_refused_in_one_sentence(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             reader = Reader(robot_type(link))
@@ -48,7 +48,7 @@ def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, p
 @pytest.mark.parametrize(
     "payload", [b"[" * 100_000, b'{"word": 1001}', b'{"word": 1e999}', b"\xff", b"", b'{"seen": 1}']
 )
-def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> None:
+def test_payload_that_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             with pytest.raises(ArgumentError):

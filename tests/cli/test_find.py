@@ -117,7 +117,7 @@ def test_simulated_boards_are_listed_with_name_map_and_session() -> None:
             board.terminate()
 
 
-def test_boards_of_one_address_are_told_apart_and_named() -> None:
+def test_boards_with_one_address_are_distinguished_and_named() -> None:
     with boards([LAMP, CART]) as port:
         result = find("--port", str(port), "--wait", "0.4")
     assert result.returncode == 0
@@ -132,7 +132,7 @@ def test_boards_of_one_address_are_told_apart_and_named() -> None:
 
 
 @pytest.mark.parametrize("second", [LAMP, LAMP._replace(name="cart")], ids=["alike", "of another name"])
-def test_two_boards_of_one_mac_are_told_and_get_no_address(second: Found) -> None:
+def test_two_boards_with_one_mac_are_reported_and_get_no_address(second: Found) -> None:
     with boards([LAMP, second]) as port:
         listed = find("--port", str(port), "--wait", "0.4")
         refused = find("--port", str(port), "--wait", "0.4", "--assign", "02:55:4c:00:00:01=10.1.2.3")

@@ -52,12 +52,12 @@ def test_the_chips_that_are_plugged_in_are_listed_by_their_urls() -> None:
     assert [line.split()[0] for line in text.splitlines()] == ["ftdi://ftdi:232h:AAA/1", "ftdi://ftdi:232h:BBB/1"]
 
 
-def test_no_chip_is_said_in_words() -> None:
+def test_missing_chip_is_reported() -> None:
     with plugged_in():
         assert run("info") == (0, "", "no FT232H and no FT2232H is plugged in\n")
 
 
-def test_what_an_eeprom_says_is_shown() -> None:
+def test_contents_of_an_eeprom_are_shown() -> None:
     with plugged_in(build_eeprom("UART", "S17")):
         code, text, _ = run("info", URL)
         data = msgspec.json.decode(run("info", URL, "--json")[1])
@@ -97,7 +97,7 @@ def test_configure_makes_the_pins_a_fifo_after_the_next_plug_in(image: bytes, se
         assert "FIFO" in run("info", URL)[1]
 
 
-def test_configure_keeps_what_else_a_sound_eeprom_says() -> None:
+def test_configure_keeps_the_other_contents_of_a_valid_eeprom() -> None:
     image = build_eeprom("UART", "S1", manufacturer="Somebody", product="Something")
     with plugged_in(image) as [device]:
         run("configure", URL, "--mode", "fifo", "--yes")
@@ -118,7 +118,7 @@ def test_a_chip_that_is_right_already_is_left_alone() -> None:
         assert "nothing to do" in run("configure", URL, "--mode", "fifo")[2]
 
 
-def test_an_eeprom_that_keeps_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_eeprom_that_does_not_store_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     with plugged_in(BLANK) as [device]:
         monkeypatch.setattr(device.chip, "eeprom", KeepsNothing(BLANK))
         with pytest.raises(ConnectError, match="did not keep"):
@@ -136,7 +136,7 @@ def test_each_port_is_listed_by_its_url() -> None:
     assert [line.split()[0] for line in lines] == ["ftdi://ftdi:2232h:AAA/1", "ftdi://ftdi:2232h:AAA/2"]
 
 
-def test_what_an_eeprom_says_is_shown_for_the_port() -> None:
+def test_contents_of_an_eeprom_are_shown_for_the_port() -> None:
     with plugged_in(build_eeprom("FIFO", "S17", kind=FT2232H), kind=FT2232H):
         answers = [msgspec.json.decode(run("info", f"ftdi://ftdi:2232h/{port}", "--json")[1]) for port in (1, 2)]
     assert [(answer["chip"], answer["port"], answer["channel_type"]) for answer in answers] == [
@@ -169,7 +169,7 @@ def test_a_blank_eeprom_becomes_one_of_its_chip() -> None:
         assert device.chip.eeprom[2:8] == bytes.fromhex("0304 1060 0007")
 
 
-def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
+def test_simulate_serves_a_chip_by_usbip_and_prints_how_to_attach_it() -> None:
     command = [str(Path(sys.executable).parent / "unity-link"), "simulate", "--usbip", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
         assert served.stdout is not None

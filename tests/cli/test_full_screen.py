@@ -110,7 +110,7 @@ def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> No
     terminal.wait_for("^code 130$")
 
 
-def test_q_ends_the_demo_and_what_was_typed_is_not_left_to_the_shell(terminal: Window) -> None:
+def test_q_ends_the_demo_and_typed_keys_do_not_reach_the_shell(terminal: Window) -> None:
     terminal.enter("unity-link demo --duration 600; echo code $?")
     terminal.wait_until(lambda screen: shoulder(screen) > 1)
     terminal.enter("nonsense")
@@ -158,7 +158,7 @@ def test_watch_shows_names_of_any_lengths_and_their_plots_whole(terminal: Window
     assert_restored(terminal, 0)
 
 
-def test_watch_counts_the_addresses_that_a_small_window_has_no_room_for(terminal: Window) -> None:
+def test_watch_counts_the_addresses_that_do_not_fit_a_small_window(terminal: Window) -> None:
     terminal.resize(60, 10)
     terminal.enter("unity-link watch sim: $(seq 16 25) --format bin; echo code $?")
     terminal.wait_for(r"^ 0x10 +0b0{32}\b", "and 6 more that this terminal has no room for", r"\b0 lost\b")
@@ -180,7 +180,7 @@ def test_watch_shows_that_the_gateway_is_away_and_goes_on_when_it_is_back(termin
 
 
 @pytest.mark.slow
-def test_watch_goes_on_after_a_reset_of_the_gateway_behind_an_open_line(terminal: Window, tmp_path: Path) -> None:
+def test_watch_continues_after_a_gateway_reset_on_an_open_line(terminal: Window, tmp_path: Path) -> None:
     gateway = counting_gateway()
     with served(gateway, tmp_path) as portal:
         terminal.enter("unity-link watch unix:gateway 0x10; echo code $?")
@@ -192,7 +192,7 @@ def test_watch_goes_on_after_a_reset_of_the_gateway_behind_an_open_line(terminal
         terminal.wait_for("^code 0$")
 
 
-def test_watch_into_a_file_tells_that_the_gateway_is_away_and_back(terminal: Window, tmp_path: Path) -> None:
+def test_watch_into_a_file_reports_a_gateway_that_leaves_and_returns(terminal: Window, tmp_path: Path) -> None:
     with served(counting_gateway(), tmp_path):
         terminal.enter("unity-link watch unix:gateway 0x10 --count 1000 >samples; echo code $?")
         terminal.wait_until(lambda _: (tmp_path / "samples").exists() and len((tmp_path / "samples").read_text()) > 50)

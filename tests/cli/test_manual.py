@@ -65,13 +65,13 @@ def test_every_command_that_a_program_may_read_has_json() -> None:
             assert any("--json" in parameter.opts for parameter in command.params), name
 
 
-def test_files_that_were_written_are_told_as_json(tmp_path: Path) -> None:
+def test_written_files_are_listed_as_json(tmp_path: Path) -> None:
     command = [*PROGRAM, "generate", "docs", SCARA, "-o", str(tmp_path), "--json"]
     lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     assert sorted(json.loads(line)["file"] for line in lines) == sorted(map(str, tmp_path.iterdir()))
 
 
-def test_a_recording_is_told_as_json(tmp_path: Path) -> None:
+def test_recording_is_described_as_json(tmp_path: Path) -> None:
     output = tmp_path / "run.mcap"
     command = [*PROGRAM, "record", "sim:scara", SCARA, "-o", str(output), "--poll", "20", "--duration", "0.3", "--json"]
     result = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
@@ -80,7 +80,7 @@ def test_a_recording_is_told_as_json(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("command", [["simulate", "--tcp", "0"], ["serve", "sim:", "--tcp", "0"]], ids=lambda c: c[0])
-def test_the_url_of_what_is_served_is_told_as_json(command: list[str]) -> None:
+def test_url_of_a_served_gateway_is_printed_as_json(command: list[str]) -> None:
     with subprocess.Popen([*PROGRAM, *command, "--json"], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert json.loads(process.stdout.readline())["url"].startswith("tcp://127.0.0.1:")

@@ -66,7 +66,7 @@ def test_each_command_works_without_a_home(command: str, tmp_path: Path) -> None
     assert not (tmp_path / "~").exists()
 
 
-def test_what_is_kept_without_a_home_is_the_users_alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_files_kept_without_a_home_are_private(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     homeless(monkeypatch, tmp_path)
     folder = cache_folder("rtl")
     assert folder == tmp_path / f"unity-link-{os.getuid()}" / "rtl"

@@ -33,7 +33,7 @@ class Terminal(io.StringIO):
 
 
 @pytest.mark.parametrize("show", [print_line, print_note, print_error, print_parts, lambda text: print_error("", text)])
-def test_a_line_says_nothing_to_a_terminal(show: Callable[[str], None], capsys: pytest.CaptureFixture[str]) -> None:
+def test_printed_line_has_no_control_sequences(show: Callable[[str], None], capsys: pytest.CaptureFixture[str]) -> None:
     show(f"{HOSTILE}\n\tsecond")
     printed = "".join(capsys.readouterr())
     assert not OBEYED.search(printed)
@@ -43,7 +43,7 @@ def test_a_line_says_nothing_to_a_terminal(show: Callable[[str], None], capsys: 
 @pytest.mark.parametrize(
     "thing", [HOSTILE, Text(HOSTILE), Table(HOSTILE, title=HOSTILE)], ids=["text", "Text", "table"]
 )
-def test_what_rich_lays_out_says_nothing_to_a_terminal(thing: object) -> None:
+def test_output_of_rich_has_no_control_sequences_from_outside(thing: object) -> None:
     stream = io.StringIO()
     console_on(stream).print(thing)
     assert not OBEYED.search(stream.getvalue())
@@ -64,7 +64,7 @@ def test_brackets_and_colons_in_strings_are_letters() -> None:
     assert stream.getvalue() == "[/red] [bold]x[/bold] :smile:\n"
 
 
-def test_json_is_the_same_data_without_what_a_terminal_obeys(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_has_the_same_data_without_control_sequences(capsys: pytest.CaptureFixture[str]) -> None:
     print_json({"name": HOSTILE})
     print_result("name", HOSTILE, json=True)
     printed = capsys.readouterr().out
@@ -72,7 +72,7 @@ def test_json_is_the_same_data_without_what_a_terminal_obeys(capsys: pytest.Capt
     assert not OBEYED.search(printed)
 
 
-def test_no_command_has_a_console_of_its_own() -> None:
+def test_no_command_makes_its_own_console() -> None:
     for path in Path(cli.__file__).parent.glob("*.py"):
         nodes = list(ast.walk(ast.parse(path.read_text())))
         own = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
@@ -82,7 +82,7 @@ def test_no_command_has_a_console_of_its_own() -> None:
         )
 
 
-def test_what_is_logged_on_stderr_is_shown_and_not_obeyed() -> None:
+def test_log_on_stderr_has_no_control_sequences() -> None:
     program = [
         "import logging, sys",
         "from unity_link import cli",

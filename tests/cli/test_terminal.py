@@ -38,7 +38,7 @@ class Echo(Noise):
         self._transport.write(data)
 
 
-def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: Window) -> None:
+def test_typed_requests_are_sent_and_answers_explained_until_ctrl_d(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT, "^sim:: words of 32 bits", "Ctrl-D ends")
     terminal.enter("W0A0000002A")
@@ -56,7 +56,7 @@ def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: 
     terminal.wait_for(r"^\$ echo typed", "^typed 42$")
 
 
-def test_samples_that_come_by_themselves_leave_alone_what_is_being_typed(terminal: Window) -> None:
+def test_arriving_samples_do_not_disturb_the_line_being_typed(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT)
     terminal.enter("GS00010BB8010A")
@@ -131,7 +131,7 @@ def test_a_session_of_the_terminal_takes_requests_with_and_without_ids(terminal:
     terminal.wait_for("^r0010000002A +read of 0x0A", PROMPT)
 
 
-def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:
+def test_window_of_any_size_accepts_typed_lines(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT)
     for width, height, word in [(30, 6, "00000001"), (200, 40, "00000002"), (70, 20, "00000003")]:

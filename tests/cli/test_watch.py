@@ -106,7 +106,7 @@ async def test_watch_into_a_file_reports_a_served_gateway_that_leaves_and_return
 
 
 @on_simulated_time
-async def test_the_picture_of_watch_says_that_a_gateway_behind_a_server_is_away(
+async def test_watch_picture_reports_an_absent_gateway_behind_a_server(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     async with served(monkeypatch) as gateway:

@@ -105,7 +105,7 @@ DIFFERENT = {
 
 
 @pytest.mark.parametrize("body", DIFFERENT)
-def test_a_wrong_conversion_that_nobody_knows_is_found(body: str) -> None:
+def test_unknown_wrong_conversion_is_detected_by_simulation(body: str) -> None:
     with pytest.raises(ConversionError) as raised:
         converted(vhdl(body))
     assert re.fullmatch(
@@ -165,7 +165,7 @@ def test_a_difference_within_an_entity_is_found_at_the_entity_itself() -> None:
         converted(text)
 
 
-def test_what_was_compared_is_kept_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_result_of_a_comparison_is_cached_until_a_change(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text = vhdl("q <= a;")
     assert converted(text).compared == ("mine, 4000 cycles",)
     assert len(list((tmp_path / "kept").iterdir())) == 1

@@ -326,7 +326,7 @@ def test_an_error_of_the_bus_names_the_request_and_leaves_the_others_alone(clien
         assert client.words("rmany 12 13") == [1, 1]
 
 
-def test_posted_writes_are_counted_by_what_became_of_them(driver: Path) -> None:
+def test_posted_writes_are_counted_by_outcome(driver: Path) -> None:
     gateway = ObservedGateway()
     gateway.detach([0x88, 0x89])
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x88, 0x89])
@@ -359,7 +359,7 @@ def test_every_error_code_has_a_sentence(client: Driven) -> None:
         )
 
 
-def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
+def test_feature_that_the_gateway_lacks_is_named(client: Driven) -> None:
     with simulate("tcp", "--set", "features=0") as url:
         client.words(f"connect {url} 5")
         for command in ("masked 0 1 1", "rqueue 0 2", "wqueue 0 1", "immediate 1", "subscribe 0 10 - 10"):
@@ -367,7 +367,7 @@ def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
         assert client.words("read 0") == [0]
 
 
-def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -> None:
+def test_request_beyond_the_gateways_widths_is_refused_before_it_is_sent(client: Driven) -> None:
     with simulate("tcp", "--set", "data_bits=16") as url:
         client.words(f"connect {url} 5")
         sent = client.words("statistics")[0]
@@ -415,7 +415,7 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         ("tcp://127.0.0.1:1", NO_CONNECTION, "tcp://127.0.0.1:1 cannot be opened: nothing accepts the connection"),
     ],
 )
-def test_what_cannot_be_opened_is_told_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
+def test_url_that_cannot_be_opened_is_reported_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
     assert client(f"connect {url} 1").startswith(status + words)
     assert client("read 0").startswith(LOST_NOT_EXECUTED)
 
@@ -427,7 +427,7 @@ def test_a_time_out_that_is_no_number_or_longer_than_thirty_years_is_refused(cli
 
 
 @pytest.mark.parametrize("url", ["", "serial:/dev/ttyNOPE", "nosuch:"], ids=["never", "no port", "no URL"])
-def test_every_call_on_a_link_that_never_opened_says_so(client: Driven, url: str) -> None:
+def test_every_call_on_a_link_that_never_opened_reports_it(client: Driven, url: str) -> None:
     if url:
         assert not client(f"connect {url} 1").startswith("0")
     calls = (
@@ -589,12 +589,12 @@ def test_a_time_out_that_is_no_number_has_passed(client: Driven) -> None:
         assert client("next 0 nan").startswith(NO_SAMPLE)
 
 
-def test_a_port_at_which_nobody_speaks_is_no_gateway(client: Driven) -> None:
+def test_port_without_answers_is_no_gateway(client: Driven) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent:
         assert client(f"connect tcp://127.0.0.1:{silent.getsockname()[1]} 0.3").startswith(NO_CONNECTION)
 
 
-def test_a_connection_that_ends_before_the_gateway_answers_is_told_as_that(client: Driven) -> None:
+def test_connection_that_ends_before_the_first_answer_is_reported_as_such(client: Driven) -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         client.send(f"connect tcp://127.0.0.1:{server.getsockname()[1]} 5")
         server.accept()[0].close()
@@ -612,7 +612,7 @@ def test_a_link_with_nothing_under_way_is_closed_without_a_word(driver: Path) ->
         assert client.words("statistics")[0] == before
 
 
-def test_a_port_that_another_program_has_is_told(driver: Path) -> None:
+def test_port_in_use_by_another_program_is_reported(driver: Path) -> None:
     with simulate("pty") as url, Driven(driver) as first, Driven(driver) as second:
         first.words(f"connect {url}?baud=1234567&rtscts=0 5")
         assert second(f"connect {url} 5") == f"{NO_CONNECTION}{url} cannot be opened: in use by another program"
@@ -654,7 +654,7 @@ class Counting:
         self.taken.append(value)
 
 
-def test_what_cannot_be_repeated_is_done_once_and_its_answer_comes_again(client: Driven) -> None:
+def test_request_with_side_effects_executes_once_and_its_answer_is_repeated(client: Driven) -> None:
     gateway, queue = VirtualGateway(), Counting()
     gateway.attach(queue, [0x20])
     with serve(gateway) as url, FaultyLine(url, "tcp", [lose("^rq"), lose("^wk"), lose("^wq")]) as line:
@@ -739,7 +739,7 @@ def test_request_given_up_fails_and_a_gateway_without_fence_answers_is_lost(
 
 
 @pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER], ids=["refused", "damaged"])
-def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, answer: bytes) -> None:
+def test_requests_in_flight_end_with_their_failed_call(driver: Path, answer: bytes) -> None:
     with Simulated(driver, Babbling(answer)) as client:
         client.words("connect test: 5")
         for value in range(10):
@@ -1083,7 +1083,7 @@ def test_a_gateway_that_falls_silent_is_given_up_after_the_longest_silence(drive
 WAS_RESET = "the gateway was reset, which ends the link; the request is"
 
 
-def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver: Path) -> None:
+def test_gateway_reset_on_an_open_line_executes_no_write(driver: Path) -> None:
     gateway, losses = ObservedGateway(), iter([True])
 
     def losing_one(data: bytes, now: float) -> bytes:
@@ -1138,7 +1138,7 @@ def test_fence_reports_posted_writes_that_a_reset_gateway_did_not_execute(driver
         assert gateway.bus_log.writes == []
 
 
-def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error(driver: Path) -> None:
+def test_posted_writes_continue_if_every_fence_gets_an_error(driver: Path) -> None:
     gateway = Uncounting(TWO_DIGITS)
     bus = RecordedBus(gateway)
     with Simulated(driver, gateway.receive) as client:
@@ -1150,7 +1150,7 @@ def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error(driver: Pa
     assert bus.writes == [(0x10, value) for value in range(400)]
 
 
-def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(driver: Path) -> None:
+def test_reported_outcomes_of_writes_at_a_reset_are_true_on_bad_lines(driver: Path) -> None:
     statuses: Counter[int] = Counter()
     for seed in range(60):
         gateway = ObservedGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
@@ -1241,7 +1241,7 @@ def test_samples_stop_at_a_reset_which_is_reported_and_resume_on_a_new_link(driv
         client.words("close")
 
 
-def test_samples_of_those_who_had_the_group_before_are_never_delivered(driver: Path) -> None:
+def test_samples_of_the_previous_user_of_a_group_are_never_delivered(driver: Path) -> None:
     gateway, unknown = VirtualGateway(GatewayInfo(groups=1)), Framing(Crc()).checked(b"J")
 
     def not_stopping(data: bytes, now: float) -> bytes:
@@ -1259,7 +1259,7 @@ def test_samples_of_those_who_had_the_group_before_are_never_delivered(driver: P
         client.words("close")
 
 
-def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
+def test_each_session_has_a_different_number(driver: Path) -> None:
     gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         for _ in range(40):
@@ -1277,7 +1277,7 @@ def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
     assert len(seeded) > 15
 
 
-def test_requests_wait_for_the_answer_to_the_start_of_their_own_session(driver: Path) -> None:
+def test_requests_wait_for_the_answer_that_begins_their_session(driver: Path) -> None:
     gateway = ObservedGateway()
     late: list[bytes] = []
 
@@ -1936,7 +1936,7 @@ def test_limits_that_no_double_holds_are_kept_exactly(runtime: list[Path], tmp_p
         assert (int(held) == value) == is_taken, (name, value)
 
 
-def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], tmp_path: Path) -> None:
+def test_refused_number_and_its_limits_are_reported_exactly(runtime: list[Path], tmp_path: Path) -> None:
     calls = [
         ("unsigned", "a", "UINT64_MAX", "a: 18446744073709551615 is outside of 0 to 18446744073709551614"),
         (
@@ -1964,7 +1964,7 @@ def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], t
 
 @pytest.mark.slow
 @pytest.mark.parametrize("word_bits", WORD_BITS)
-def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(
+def test_values_of_every_kind_are_encoded_and_decoded_as_in_python(
     word_bits: int, runtime: list[Path], tmp_path: Path
 ) -> None:
     spec = every_kind(word_bits)

@@ -36,7 +36,7 @@ def arm(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("language", "compiler"), [("c", C), ("cpp", CPP)])
-def test_the_program_prints_what_the_page_says(
+def test_program_prints_the_output_on_the_page(
     language: str, compiler: tuple[str, ...], arm: list[Path], tmp_path: Path
 ) -> None:
     source = tmp_path / f"arm.{language}"
@@ -51,7 +51,7 @@ def test_the_program_prints_what_the_page_says(
 
 
 @pytest.mark.slow
-def test_the_functions_of_the_page_do_what_it_says(arm: list[Path], tmp_path: Path) -> None:
+def test_functions_on_the_page_work_as_described(arm: list[Path], tmp_path: Path) -> None:
     whole, *parts = blocks("c")
     head = whole[: whole.index("int main")]
     main = (

@@ -51,7 +51,9 @@ def texts(program: Path, cases: Iterable[tuple[Widths, int, bytes]]) -> list[lis
 
 @pytest.mark.parametrize("amount", [2_000, pytest.param(25_000, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("widths", HOSTS, ids=str)
-def test_cut_and_mixed_frames_become_the_lines_that_the_page_says(expanding: Path, widths: Widths, amount: int) -> None:
+def test_cut_and_mixed_frames_become_the_lines_that_the_page_defines(
+    expanding: Path, widths: Widths, amount: int
+) -> None:
     draw = random.Random(1)
     sent = [b"".join(from_a_gateway(widths, seed)) for seed in range(amount // FRAMES)]
     found = texts(expanding, [(widths, draw.choice([1, 2, 7, 100, 5000]), data) for data in sent])

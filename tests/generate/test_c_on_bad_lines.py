@@ -66,7 +66,7 @@ def test_a_port_that_another_program_has_changed_is_set_again_and_counted(client
     ("kind", "request_"),
     [*((kind, "read 10") for kind in FLOODS), ("empty lines", "write 10 1"), ("damaged lines", "fence")],
 )
-def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(driver: Path, kind: str, request_: str) -> None:
+def test_line_full_of_garbage_is_reported_within_two_seconds(driver: Path, kind: str, request_: str) -> None:
     gateway = Replaced(FLOODS[kind])
     with Simulated(driver, gateway, latency=0.01) as client:
         client.words("connect test: 5")
@@ -203,7 +203,7 @@ def test_losses_and_not_the_speed_are_reported_if_some_queries_were_answered(dri
     assert told.endswith(" questions: what is sent or answered is lost or damaged on the way")
 
 
-def test_a_session_that_does_not_begin_is_told_with_what_was_answered_before(driver: Path) -> None:
+def test_session_that_does_not_begin_is_reported_with_earlier_answers(driver: Path) -> None:
     gateway = VirtualGateway()
     with Simulated(driver, lambda data, now: b"" if b"K" in data else gateway.receive(data, now)) as client:
         told = client("connect test: 1")

@@ -204,7 +204,7 @@ def cpp_value(signal: Signal, value: Value) -> str:
     return f"std::{'int' if signal.kind.is_signed else 'uint'}64_t(UINT64_C({int(value) % 2**64}))"
 
 
-def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(tmp_path: Path) -> None:
+def test_values_of_every_kind_are_encoded_and_decoded_as_in_python(tmp_path: Path) -> None:
     spec = every_kind(16)
     steps, expected = [], []
     for signal, value in written(spec.interface()):
@@ -271,7 +271,7 @@ def test_limits_that_no_double_holds_are_kept_exactly(tmp_path: Path) -> None:
         "robot.mode.take(2);",
     ],
 )
-def test_the_compiler_refuses_what_makes_no_sense(wrong: str, runtime: list[Path], tmp_path: Path) -> None:
+def test_compiler_refuses_invalid_uses(wrong: str, runtime: list[Path], tmp_path: Path) -> None:
     source = tmp_path / "program.cc"
     source.write_text(f'#include "walker.hpp"\nvoid use(Walker &robot) {{ {wrong} }}\n')
     command = [*CPP, "-fsyntax-only", f"-I{runtime[0].parent}", str(source)]
@@ -332,7 +332,7 @@ def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
 
 
 @pytest.mark.slow
-def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
+def test_lost_answers_are_repeated_with_their_old_values(runtime: list[Path]) -> None:
     body = """
     CHECK(link.write_masked(0x10, 1, 1) == 0);      // the word as it was before is given again
     CHECK(link.read(0x10) == 1);
@@ -375,7 +375,7 @@ def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: 
 
 
 @pytest.mark.slow
-def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> None:
+def test_unanswered_call_reports_its_outcome(runtime: list[Path]) -> None:
     body = """
     std::cout << "ready" << std::endl;
     std::cin.get();
@@ -485,7 +485,7 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
 
 
 @pytest.mark.slow
-def test_a_callback_may_end_its_own_subscription_and_then_throw(runtime: list[Path]) -> None:
+def test_callback_may_end_its_subscription_and_then_throw(runtime: list[Path]) -> None:
     body = """
     std::unique_ptr<unity_link::Subscription> once;
     int calls = 0;

@@ -142,13 +142,13 @@ def test_the_paper_s_figure_has_its_four_joints() -> None:
         assert f"### j{joint}\n\njoint(name = joint {joint})" in text
 
 
-def test_what_the_author_wrote_cannot_break_the_page() -> None:
+def test_texts_of_a_spec_cannot_break_the_page() -> None:
     html, text = pages(compile_text(FIELDS))
     assert "A robot of &lt;all&gt; &amp; &#34;sundry&#34; | kinds." in html
     assert "How it \\<moves\\> \\| or not." in text
 
 
-def test_a_signal_has_all_that_is_said_of_it() -> None:
+def test_page_has_every_property_of_a_signal() -> None:
     html, text = pages(compile_text(FIELDS))
     (row,) = (line for line in text.splitlines() if line.startswith("| `008`"))
     assert row == (

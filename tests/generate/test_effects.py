@@ -172,7 +172,7 @@ def test_cpp_loses_no_event_and_touches_no_neighbour(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("language", ["c", "cpp"])
-def test_c_and_cpp_refuse_what_a_read_clears_without_queue_commands(language: str, tmp_path: Path) -> None:
+def test_c_and_cpp_refuse_clear_on_read_signals_without_queue_commands(language: str, tmp_path: Path) -> None:
     program = (c_program if language == "c" else cpp_program)(tmp_path)
     with serve(effects_gateway(ALL & ~Feature.QUEUE_COMMANDS)) as url:
         said = output(program, url, "seen alone").splitlines()[0]
@@ -202,7 +202,7 @@ def test_matlab_loses_no_event_and_refuses_such_signals_in_groups(octave: Octave
     assert (shown["together"], shown["sampled"]) == (sentence, sentence)
 
 
-def test_matlab_refuses_what_a_read_clears_without_queue_commands(octave: Octave) -> None:
+def test_matlab_refuses_clear_on_read_signals_without_queue_commands(octave: Octave) -> None:
     octave.generate(SPEC)
     with serve(effects_gateway(ALL & ~Feature.QUEUE_COMMANDS)) as url:
         shown = octave.run(f"robot = robot('{url}');\nattempt('seen', @() robot.seen.get());\n")
@@ -212,7 +212,7 @@ def test_matlab_refuses_what_a_read_clears_without_queue_commands(octave: Octave
     )
 
 
-def test_documents_tell_the_effect_of_each_signal() -> None:
+def test_documents_state_the_effect_of_each_signal() -> None:
     (page,) = [file.text for file in generate("docs", SPEC) if file.name.endswith(".md")]
     for path, told in (
         ("seen", "cleared by each read"),

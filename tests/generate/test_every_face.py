@@ -182,7 +182,7 @@ CELLS = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "medium", "behaviour"), CELLS)
-def test_every_face_does_on_every_medium_what_a_link_does(
+def test_every_api_behaves_like_a_link_on_every_medium(
     name: str, medium: str, behaviour: Behaviour, portal: BlockingPortal, programs: Programs, tmp_path: Path
 ) -> None:
     if name == "Octave" and why_not():

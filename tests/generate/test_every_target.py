@@ -64,6 +64,6 @@ def test_every_file_changes_with_the_spec(target: str) -> None:
     assert all(one.text != other.text or not one.text for one, other in zip(first, second, strict=True))
 
 
-def test_an_unknown_target_is_told_what_there_is() -> None:
+def test_unknown_target_is_an_error_that_lists_the_targets() -> None:
     with pytest.raises(ArgumentError, match=f"there is no target 'rust': one of {', '.join(TARGETS)} was expected"):
         generate("rust", SPECS["scara"])

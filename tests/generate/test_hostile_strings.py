@@ -181,7 +181,7 @@ def test_ghdl_reads_the_vhdl_of_hostile_strings(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
-def test_what_stands_behind_a_line_end_in_the_name_of_a_spec_does_not_run(target: str, tmp_path: Path) -> None:
+def test_code_after_a_line_end_in_the_name_of_a_spec_does_not_run(target: str, tmp_path: Path) -> None:
     name = "rover\nimport os;os.system('touch PWNED')#.ul"
     for file in made(target, tmp_path, name, "Plain.", "plain", PLAIN_PACKAGE).values():
         if file.name.endswith((".py", "/bridge")):

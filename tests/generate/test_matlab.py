@@ -133,7 +133,7 @@ show('about', {{robot.angle.unit, robot.angle.id, robot.angle.kind, robot.angle.
 """
 
 
-def test_signals_do_what_their_kind_access_and_place_allow(octave: Octave) -> None:
+def test_signals_work_within_their_kind_access_and_place(octave: Octave) -> None:
     spec = """\
 group all;
 enum modes { off, manual = 4, end }
@@ -217,7 +217,7 @@ def test_limits_hold_for_values_of_any_class(octave: Octave) -> None:
 
 
 @pytest.mark.slow
-def test_the_guide_says_what_happens(octave: Octave) -> None:
+def test_results_are_as_on_the_page(octave: Octave) -> None:
     guide = (EXAMPLES.parent / "docs" / "how-to" / "matlab.md").read_text(encoding="utf-8")
     lines = [
         line

@@ -182,7 +182,7 @@ def hanging_up() -> Iterator[str]:
         thread.join()
 
 
-def test_urls_and_gateways_that_do_not_fit_are_told(octave: Octave) -> None:
+def test_unusable_urls_and_gateways_are_reported(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp", "--set", "data_bits=16", "--set", "features=0") as url, hanging_up() as closing:
         shown = octave.run(f"""\
@@ -323,7 +323,7 @@ unity_link.build();
     assert {path.name for path in (bare_octave.folder / "+unity_link" / "source").iterdir()} == sources
 
 
-def test_a_build_without_a_compiler_says_what_is_missing(bare_octave: Octave) -> None:
+def test_build_without_a_compiler_names_the_missing_tool(bare_octave: Octave) -> None:
     bare_octave.generate(compile_text(FIGURE_1))
     shown = bare_octave.run("attempt('build', @() unity_link.build());", {"CC": "/no/such/compiler"})
     assert shown["build"].startswith("unity_link:noCompiler the package unity_link could not be compiled (")
@@ -669,7 +669,7 @@ show('read', link.read_many([30 40 41]));
     assert not [frame for frame in gateway.heard if frame.startswith("ws")]
 
 
-def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -> None:
+def test_gateway_of_another_version_is_reported_with_a_remedy(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, FaultyLine(url, "tcp", [replace("^Q", b"Q01200802\r\n", 99)]) as line:
         shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")

@@ -125,7 +125,7 @@ def test_generated_modules_and_programs_with_them_pass_mypy_strict(tmp_path: Pat
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_mypy_finds_what_is_wrong_in_a_program(tmp_path: Path) -> None:
+def test_mypy_finds_the_faults_of_a_program(tmp_path: Path) -> None:
     for spec in (compile_text(AWKWARD), compile_file(EXAMPLES / "scara.ul")):
         generated(spec, tmp_path)
     (tmp_path / "wrong.py").write_text(WRONG)

@@ -186,7 +186,7 @@ async def start(tmp_path: Path) -> AsyncIterator[Callable[[str], Any]]:
 
 
 @pytest.mark.asyncio
-async def test_c_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
+async def test_error_in_c_has_the_reason_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
     program = await start("c")
     do, robot = program.do, program.robot
     duty = f"write of duty at 0x010: {REFUSED}"
@@ -221,7 +221,7 @@ async def test_c_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -
 
 
 @pytest.mark.asyncio
-async def test_c_blames_no_lease_for_what_a_module_refuses(start: Callable[[str], Any]) -> None:
+async def test_error_in_c_for_a_write_that_a_module_refuses_names_no_lease(start: Callable[[str], Any]) -> None:
     program = await start("c")
     # A batch reports its first failure, with the signal of that write.
     assert await program.do("all") == f"write of free at 0x016: {REFUSED}"
@@ -232,7 +232,7 @@ async def test_c_blames_no_lease_for_what_a_module_refuses(start: Callable[[str]
 
 @pytest.mark.slow
 @pytest.mark.asyncio
-async def test_cpp_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
+async def test_error_in_cpp_has_the_reason_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
     program = await start("cpp")
     duty = f"write of duty at 0x010: {REFUSED}: {NEVER}"
     assert await program.do("set") == duty

@@ -90,7 +90,7 @@ def test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for(tmp_path: 
         ({"licence": "MIT"}, "verilog takes no licence: it is for ros1 and ros2"),
     ],
 )
-def test_what_the_gateware_refuses_is_refused_before_anything_is_converted(
+def test_generics_that_the_gateware_refuses_are_refused_before_conversion(
     options: dict[str, int | str], words: str
 ) -> None:
     with pytest.raises(ArgumentError, match=words):

@@ -390,7 +390,7 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
         ("@out = 0x33: unsigned 8 WRITE(FIFO(16)); leds: MEMORY(BASE=0x40, SIZE=2);", "the FIFO port out, MEMORY leds"),
     ],
 )
-def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: str) -> None:
+def test_spec_with_parts_without_gateware_gets_no_complete_design(declared: str, named: str) -> None:
     spec = compile_text(f"public robot() {{ @lamp = 0xF0: unsigned 8 READWRITE(); {declared} }}")
     names = [file.name for file in generate("vhdl", spec)]
     assert names == [f"robot_{part}.vhd" for part in ("map", "registers", "gateway", "bench")]
@@ -404,7 +404,7 @@ def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
 
 
 @pytest.mark.slow
-def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
+def test_missing_complete_design_is_reported_with_the_reason(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "unity_link", "generate", "vhdl", str(ROOT / "examples" / "rover.ul")]
     done = subprocess.run([*command, "-o", str(tmp_path)], capture_output=True, text=True, check=True)
     assert "no gateware implements the FIFO port log; take rover_gateway" in done.stderr

@@ -47,7 +47,7 @@ def test_a_copy_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("vendor", ["ecp5", "gowin", "xilinx"])
-def test_pads_of_a_vendor_stand_in_the_place_of_the_portable_ones(vendor: str) -> None:
+def test_pads_of_a_vendor_replace_the_portable_ones(vendor: str) -> None:
     portable, theirs = list(in_compile_order()), list(in_compile_order(vendor))
     assert len(portable) == len(theirs) == len(set(theirs))
     changed = [new for old, new in zip(portable, theirs, strict=True) if old != new]

@@ -84,7 +84,7 @@ def test_files_are_replaced_and_programs_are_executable(tmp_path: Path) -> None:
     assert paths[0].stat().st_mode & 0o111
 
 
-def test_a_folder_in_the_way_is_told_and_nothing_is_written(tmp_path: Path) -> None:
+def test_folder_with_the_name_of_a_file_is_reported_and_nothing_is_written(tmp_path: Path) -> None:
     (tmp_path / "c").mkdir()
 
     with pytest.raises(ArgumentError, match=r"/c cannot be written: Is a directory$"):

@@ -78,14 +78,14 @@ def test_trio_link_opens_in_a_namespace_after_a_program_outside_of_it() -> None:
         assert trio.run(read_one_word) == 0
 
 
-def test_what_the_kernel_sends_in_fragments_leaves_no_trace(gateway: Plugged) -> None:
+def test_fragments_from_the_kernel_have_no_effect(gateway: Plugged) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.sendto(b"W10FFFFFFFF\r" * 300, (GATEWAY, GATEWAY_PORT))
         exchange()
     assert 0xFFFFFFFF not in [word for _, word in gateway.written()]
 
 
-def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> None:
+def test_group_of_a_killed_program_disturbs_no_other(gateway: Plugged) -> None:
     """A program that is killed leaves a group that publishes, each sample of which the kernel refuses."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as killed:
         killed.settimeout(30)

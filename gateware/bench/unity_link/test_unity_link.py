@@ -70,7 +70,7 @@ def test_words_of_a_sample_are_read_at_the_documented_cycles_beside_blocks(way: 
 
 
 @pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
-def test_requests_are_executed_as_the_protocol_says(*, pipelined: bool) -> None:
+def test_requests_are_executed_as_the_protocol_defines(*, pipelined: bool) -> None:
     _run("bench_requests", wb_pipelined=pipelined, error_at=0xE0, silent_at=0xE8)
 
 
@@ -95,7 +95,7 @@ def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
 
 
 @pytest.mark.parametrize("on", ["half_duplex", "fingerprint", "description"])
-def test_a_gateway_says_which_of_its_generics_are_on(on: str) -> None:
+def test_gateway_reports_its_enabled_generics(on: str) -> None:
     _run("bench_half_duplex", **{on: True}, build_id=0xCAFE)
 
 
