@@ -62,7 +62,7 @@ def test_samples_come_by_iteration_in_order() -> None:
     assert all(sample.values.tolist() == [4, 0] for sample in seen)
 
 
-def test_samples_come_when_they_are_asked_for() -> None:
+def test_samples_arrive_on_request() -> None:
     with blocking.connect("sim:") as link, link.subscribe(0x10) as samples:
         samples.publish()
         assert next(iter(samples)).sequence == 0
@@ -345,7 +345,7 @@ def threads_of_links() -> list[str]:
     return [thread.name for thread in threading.enumerate() if thread.name.startswith("unity_link")]
 
 
-def test_only_a_subscription_has_a_thread(served: tuple[VirtualGateway, str]) -> None:
+def test_only_subscriptions_have_a_thread(served: tuple[VirtualGateway, str]) -> None:
     with blocking.connect(served[1]) as link:
         link.write(0x10, 4)
         assert threads_of_links() == []
@@ -391,7 +391,7 @@ def test_take_returns_the_requested_number_of_samples_or_fewer_at_the_end(tmp_pa
             samples.take(1)
 
 
-def test_calls_go_on_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
+def test_calls_work_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
     with (
         blocking.connect(served[1]) as link,
         link.subscribe([0x10], divisor=None) as samples,

@@ -226,7 +226,7 @@ WAYS = (_by_a_write, _in_a_thread, _by_a_read_that_is_given_up)
     "kills",
     [pytest.param(6, marks=pytest.mark.slow), pytest.param(100, marks=[pytest.mark.campaign, pytest.mark.slow])],
 )
-def test_a_link_comes_back_from_every_kill_of_its_gateway(kills: int, tmp_path: Path, attempts: Attempts) -> None:
+def test_link_reconnects_after_every_kill_of_its_gateway(kills: int, tmp_path: Path, attempts: Attempts) -> None:
     gateway = Killed(tmp_path / "gateway")
     gateway.begin()
     with contextlib.ExitStack() as stack:

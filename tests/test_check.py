@@ -72,7 +72,7 @@ def test_slow_tests_and_those_of_unchanged_compiled_gateware_are_left_out() -> N
     assert check.marks_of(["gateware/rtl/unity_link.vhd"]) == "not slow and not campaign and not usb"
 
 
-def test_a_folder_takes_in_its_files() -> None:
+def test_folder_replaces_its_files() -> None:
     found = check.tests_of(["tests/link/conftest.py", "tests/link/test_life.py"])
     assert set(found) - set(check.ALWAYS) == {"tests/link"}
 

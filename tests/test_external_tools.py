@@ -139,7 +139,7 @@ def test_sealed_data_are_whole_and_cut_or_changed_data_are_not(
         assert not cache.is_whole(path) or damaged == sealed
 
 
-def test_a_text_of_the_cache_that_was_cut_is_made_anew(tmp_path: Path) -> None:
+def test_incomplete_text_in_the_cache_is_made_again(tmp_path: Path) -> None:
     path = tmp_path / "netlist.json"
     assert cache.kept(path, lambda: "{}") == "{}"
     assert cache.kept(path, lambda: "another") == "{}"
@@ -148,7 +148,7 @@ def test_a_text_of_the_cache_that_was_cut_is_made_anew(tmp_path: Path) -> None:
     assert cache.kept(path, lambda: "another") == "another"
 
 
-def test_verilog_of_the_cache_that_was_cut_is_converted_anew(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_incomplete_verilog_in_the_cache_is_converted_again(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     tools = cache.cache_folder("tools")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     (tmp_path / "unity-link").mkdir()

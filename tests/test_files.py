@@ -138,7 +138,7 @@ def test_files_generated_from_another_spec_are_replaced(here: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("answer", "replaced"), [("y", True), ("n", False), ("", False)])
-def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -> None:
+def test_user_at_a_terminal_is_asked_before_a_file_is_replaced(answer: str, *, replaced: bool, here: Path) -> None:
     Path("rover.py").write_bytes(MINE)
     keyboard, screen = pty.openpty()
     os.write(keyboard, f"{answer}\n".encode())
@@ -218,7 +218,7 @@ def test_file_without_a_mark_is_recognised_by_the_list_until_it_changes(tmp_path
     assert [(tmp_path / name).read_text() for name in ("a.vhd", "b/c.f")] == ["three\n", "mended by hand\n"]
 
 
-def test_a_list_that_somebody_else_made_vouches_for_nothing(tmp_path: Path) -> None:
+def test_list_without_its_mark_identifies_no_file_as_ours(tmp_path: Path) -> None:
     write_texts({"a.vhd": "one\n"}, tmp_path)
     (tmp_path / LIST).write_text("\n".join((tmp_path / LIST).read_text().splitlines()[1:]))
 

@@ -36,7 +36,7 @@ def test_the_picture_moves_without_a_script() -> None:
 
 
 @pytest.mark.slow
-def test_all_that_a_newcomer_looks_for_is_on_the_screen(page: Path) -> None:
+def test_first_screen_has_everything_that_a_newcomer_needs(page: Path) -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         window = browser.new_page(viewport={"width": 1280, "height": 800})

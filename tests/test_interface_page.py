@@ -52,7 +52,7 @@ def members(kind: type) -> Iterator[str]:
 
 
 @pytest.mark.slow
-def test_all_that_is_exported_is_on_the_page(shown: tuple[str, set[str]]) -> None:
+def test_every_exported_name_is_on_the_page(shown: tuple[str, set[str]]) -> None:
     _, names = shown
     assert {f"unity_link.{name}" for name in unity_link.__all__} - names == set()
 
@@ -72,7 +72,7 @@ def test_each_public_member_is_on_the_page(name: str, shown: tuple[str, set[str]
     assert expected - inherited - names == set()
 
 
-def test_open_comes_first_and_errors_last_and_nothing_of_the_inside(shown: tuple[str, set[str]]) -> None:
+def test_page_begins_with_open_ends_with_errors_and_has_no_internals(shown: tuple[str, set[str]]) -> None:
     page, names = shown
     order = ("connect", "load", "Link", "Feature", "UnityLinkError")
     places = [page.index(f'id="unity_link.{name}"') for name in order]

@@ -380,7 +380,7 @@ def test_callback_that_exits_in_a_links_thread_is_logged_and_samples_go_on(
 
 
 @pytest.mark.parametrize("kind", [TimeoutError, ConnectionError, unity_link.LinkLostError, StopIteration])
-def test_an_error_of_a_handler_comes_as_it_is(kind: type[Exception], url: str) -> None:
+def test_error_of_a_handler_is_raised_unchanged(kind: type[Exception], url: str) -> None:
     own = kind("of the handler")
 
     def stop(*_: object) -> None:

@@ -86,7 +86,7 @@ def test_a_group_of_a_robot_that_was_not_closed_warns() -> None:
         gc.collect()
 
 
-def test_a_callback_that_can_never_be_called_warns_whoever_looks_for_it() -> None:
+def test_callback_that_can_never_run_causes_a_warning() -> None:
     async def forget() -> None:
         async with unity_link.connect("sim:scara") as link:
             link.subscribe(0x88, rate_hz=100, callback=print)

@@ -27,7 +27,7 @@ PYTHONS = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
 """Versions of Python that the project supports; a part of the tests runs on 3.13 if it is installed."""
 
 
-def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None:
+def test_importing_the_package_loads_no_optional_modules() -> None:
     code = "import sys; before = set(sys.modules); import unity_link; print(*(set(sys.modules) - before))"
     loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
     third_party = {name.partition(".")[0] for name in loaded} - sys.stdlib_module_names
@@ -61,7 +61,7 @@ def test_everything_public_is_exported_and_documented() -> None:
 
 
 @pytest.mark.parametrize("lock", LOCKS, ids=lambda path: path.name)
-def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> None:
+def test_lock_file_has_only_versions_and_hashes(lock: Path) -> None:
     line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*'() ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
     assert [text for text in lock.read_text().splitlines() if not re.fullmatch(line, text)] == []
 

@@ -62,7 +62,7 @@ LANGUAGES = {
     "python": "tests/generate/test_python.py::test_the_generated_scara_reads_writes_and_is_published",
     "ros1": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
     "ros2": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
-    "verilog": "tests/generate/test_verilog.py::test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for",
+    "verilog": "tests/generate/test_verilog.py::test_netlist_has_the_requested_clock_and_baud_rate",
     "vhdl": "tests/generate/test_vhdl.py::test_gateway_and_boards_elaborate_with_the_gateware",
 }
 SCHEMES = {

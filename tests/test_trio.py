@@ -60,7 +60,7 @@ def served(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
         yield url
 
 
-def test_words_blocks_batches_and_samples_come_on_every_medium(served: str) -> None:
+def test_words_blocks_batches_and_samples_work_on_every_medium(served: str) -> None:
     async def program() -> None:
         async with unity_link.connect(served) as link:
             await link.write(0x0A, 0x12)
@@ -134,7 +134,7 @@ def test_samples_over_several_gateways_are_refused_in_a_sentence() -> None:
     run(program)
 
 
-def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> None:
+def test_callback_cancelled_at_once_does_not_affect_the_next_one() -> None:
     async def program() -> None:
         async with unity_link.connect(VirtualGateway()) as link:
             state = ROBOT(link).groups["state"]
@@ -154,7 +154,7 @@ def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> Non
     run(program)
 
 
-def test_an_error_in_the_block_comes_as_it_is() -> None:
+def test_error_in_the_block_is_raised_unchanged() -> None:
     async def program() -> None:
         with pytest.raises(ZeroDivisionError):
             async with unity_link.connect("sim:"):

@@ -60,7 +60,7 @@ def results() -> Results:
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_the_gateware_alone_is_faster_than_the_papers() -> None:
+def test_gateware_without_the_host_is_faster_than_the_papers() -> None:
     figures = measure_gateware([1, 16])
     for cycles, what, access in (
         (figures.read_cycles, published.LATENCY, "read"),
@@ -113,7 +113,7 @@ def test_a_single_access_takes_two_microframes_at_most_or_the_latency_timer(benc
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
+def test_gateware_takes_some_microseconds_of_a_single_access() -> None:
     for stack in STACKS:
         for row in measure_latencies(Workbench("rtl", counts_host_time=False), stack, 4):
             assert row.gateware is not None
@@ -231,7 +231,7 @@ def test_modelled_results_are_exactly_repeatable(bench: Workbench) -> None:
 
 
 @pytest.mark.slow
-def test_all_that_must_hold_holds_without_the_programs_time(results: Results) -> None:
+def test_all_checks_pass_without_the_time_of_the_program(results: Results) -> None:
     # The bursts of a quick run are so short that the last microframe matters.
     assert [row for row in results.checks if not row.met and "burst" not in row.what and "many" not in row.what] == []
     assert results.gateware is None
@@ -261,7 +261,7 @@ def test_figure_beyond_its_limit_is_reported(results: Results) -> None:
     assert sum("published" in what for what in failed) == 1
 
 
-def test_the_three_parts_of_an_access_add_up_to_all_of_it(results: Results) -> None:
+def test_sum_of_the_three_parts_of_an_access_is_its_time(results: Results) -> None:
     later = [msgspec.structs.replace(row.modelled, median=row.modelled.median + 40) for row in results.latencies]
     parts = [
         msgspec.structs.replace(row, gateware=2.5, total=total)
@@ -358,7 +358,7 @@ def test_a_report_is_a_page_with_its_pictures_and_the_data(results: Results, tmp
     assert msgspec.json.decode(files[1].read_bytes(), type=Results) == results
 
 
-def test_without_matplotlib_there_is_a_page_that_shows_no_picture(
+def test_page_without_pictures_is_written_without_matplotlib(
     results: Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)

@@ -103,7 +103,7 @@ def test_quotations_of_the_paper_have_its_figures(file: Path) -> None:
     )
 
 
-def test_the_documents_that_quote_it_are_looked_at() -> None:
+def test_documents_that_quote_the_paper_are_checked() -> None:
     names = {str(file.relative_to(ROOT)) for file in documents()}
     assert {"README.md", "docs/paper.md", "docs/gateware.md", "docs/how-to/ft232h.md", "benchmarks/TABLE1.md"} <= names
     for name in ("README.md", "docs/paper.md", "docs/gateware.md", "benchmarks/TABLE1.md"):
@@ -133,7 +133,7 @@ def test_a_quotation_that_is_not_the_papers_is_found(text: str, wrong: list[str]
     assert [quote.text for quote in quotes_in(text) if not quote.right] == wrong
 
 
-def test_all_of_table_1_is_there_once() -> None:
+def test_each_figure_of_table_1_is_listed_once() -> None:
     keys = [(row.what, row.level, row.access, row.mode) for row in FIGURES]
     assert len(keys) == len(set(keys))
     assert {(row.access, row.mode): len(rows_of(row.place)) for row in TABLE_1} == {

@@ -56,7 +56,7 @@ async def read_once_more(url: str) -> None:
 
 
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
-def test_the_bare_loop_is_given_the_bytes_that_the_responder_sends(info: unity_link.GatewayInfo) -> None:
+def test_bare_loop_gets_the_bytes_of_the_responder(info: unity_link.GatewayInfo) -> None:
     async def work(path: str) -> bytes:
         loop = asyncio.get_running_loop()
         reader = asyncio.StreamReader()

@@ -549,7 +549,7 @@ def test_report_states_that_times_at_phy_pins_are_not_checked(tools: pytest.Monk
     assert f"| phy_txd[*], phy_tx_en | {needed} | 2.5 |" in report
 
 
-def test_wires_to_a_phy_that_alone_take_too_long_are_an_error(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_wires_to_a_phy_that_are_too_slow_by_themselves_are_an_error(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     clocks = {"$glbnet$core_clk": 70.0, "$glbnet$design.gateway_inst.phy_rx_clk": 130.0}
     tools.setattr(building, "place", stand_in(clocks=clocks, ways=[way("<async>", REF_CLK, 6.1)]))
     words = r"the wires of phy_rxd\[\*\], phy_rx_dv take 6.1 ns, and the chip leaves 6 ns of phy_clk"
@@ -622,7 +622,7 @@ def test_build_prints_its_stages_into_a_pipe_while_it_works(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])
-def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_failed_tool_leaves_no_files(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in ("run", "place"):
         tools.setattr(building, name, stand_in(failing=failing))
     with pytest.raises((BuildError, ConversionError), match="it failed"):
@@ -668,7 +668,7 @@ def real_place(tools: pytest.MonkeyPatch, tmp_path: Path) -> Callable[[str], Non
     return install
 
 
-def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
+def test_router_that_does_not_end_is_stopped_and_the_next_seed_tried(
     real_place: Callable[[str], None], tmp_path: Path
 ) -> None:
     real_place(ROUTER.format(python=sys.executable, left="5 + turn % 2 if seed < 3 else max(0, 3 - turn)"))
@@ -678,9 +678,7 @@ def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
     assert "1, seed 3\n" in built.report.read_text()
 
 
-def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
-    real_place: Callable[[str], None], tmp_path: Path
-) -> None:
+def test_router_that_ends_with_no_seed_leaves_no_files(real_place: Callable[[str], None], tmp_path: Path) -> None:
     real_place(ROUTER.format(python=sys.executable, left=5))
     said: list[str] = []
     with pytest.raises(
@@ -692,7 +690,7 @@ def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
 
 
 @pytest.mark.parametrize("router", [1, 2])
-def test_a_router_that_comes_on_slowly_is_left_alone(
+def test_router_with_slow_progress_is_not_stopped(
     router: int, real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "_SEEDS", [router])
@@ -738,7 +736,7 @@ def test_an_ft245_that_misses_the_chips_clock_leaves_nothing(tools: pytest.Monke
     assert not (tmp_path / "out").exists()
 
 
-def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_folder_that_cannot_be_written_gets_no_file(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
     # A folder has the path of the report.
     (tmp_path / "out" / "lamp_mine.md").mkdir()
@@ -767,7 +765,7 @@ def test_build_replaces_its_own_files_unless_a_user_has_changed_them(
 
 @pytest.mark.parametrize("name", ["hx8k_breakout_ft245", "ulx3s_ft245_sync", "tang_nano_9k_ft245", "gatemate_evb"])
 @pytest.mark.parametrize("missing", [0, 1, 2], ids=["yosys", "nextpnr", "packer"])
-def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
+def test_missing_tool_is_named_before_any_work(
     missing: int, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _, board = load_board(name)
@@ -913,7 +911,7 @@ def test_every_family_gets_a_bitstream_with_a_pll(name: str, hz: int, tmp_path: 
         ("gatemate_evb", "IO_NB_C9", "FBGA324 has no pin IO_NB_C9, which x has uart_txd on"),
     ],
 )
-def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: str, tmp_path: Path) -> None:
+def test_tools_refuse_an_unknown_site(name: str, site: str, sentence: str, tmp_path: Path) -> None:
     _, board = load_board(name)
     with pytest.raises(BuildError) as raised:
         build(LAMP, "x", changed(board, pins=board.pins | {"uart_txd": site}), tmp_path / "out")

@@ -272,7 +272,7 @@ def test_unit_with_the_name_of_a_generated_or_gateware_unit_is_refused(tmp_path:
 
 @pytest.mark.rtl
 @pytest.mark.parametrize("name", ["a b", "x; endmodule", "\xb5", "led0;"])
-def test_an_extended_identifier_is_refused_and_a_word_of_verilog_is_none(name: str, tmp_path: Path) -> None:
+def test_extended_identifier_is_refused_and_a_word_of_verilog_accepted(name: str, tmp_path: Path) -> None:
     text = SMALL.replace("unused", "reg")
     assert convert_own(own(tmp_path, text), {"baud": 1}).module == "small"
     (tmp_path / "small.vhd").write_bytes(text.replace("reg", f"\\{name}\\").encode("latin-1"))
@@ -325,7 +325,7 @@ def test_build_makes_a_project_of_a_users_top_and_prints_its_warnings(tmp_path: 
 
 
 @pytest.mark.rtl
-def test_a_project_wants_ports_in_small_letters(tmp_path: Path) -> None:
+def test_project_needs_ports_in_small_letters(tmp_path: Path) -> None:
     text = SMALL.replace("0 to width", "2 downto 0")
     with pytest.raises(ArgumentError, match=r"^Vivado tells capitals .*: the port Led was expected as led$"):
         make_project(PANEL, *load_board("arty_a7"), tmp_path / "out", own=own(tmp_path, text))

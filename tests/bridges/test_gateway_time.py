@@ -83,14 +83,14 @@ def test_a_quartz_that_is_off_is_followed(drift: float) -> None:
     assert last == pytest.approx(1000.0 + 35_990, abs=0.01)
 
 
-def test_groups_of_one_gateway_stay_side_by_side() -> None:
+def test_groups_of_one_gateway_keep_their_distance_in_time() -> None:
     clock = Clock()
     (first,) = clock.instants(0, [5.0], [1000.0])
     (second,) = clock.instants(1, [5.0], [1000.3])
     assert abs(second - first) < 1e-9
 
 
-def test_a_gateway_that_was_reset_begins_anew() -> None:
+def test_time_of_a_reset_gateway_starts_again() -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     clock.statistics.reconnections += 1

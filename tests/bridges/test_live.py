@@ -208,7 +208,7 @@ def test_a_control_of_a_sampled_signal_is_disabled_until_its_value_is_known(page
 
 
 @needs_chromium
-def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -> None:
+def test_page_without_permission_to_write_has_no_controls(page: Page) -> None:
     with shown(page, "sim:scara", SPEC) as running:
         assert "#" not in running.url
         expect(page.locator("#state")).to_have_text("connected")
@@ -302,7 +302,7 @@ def test_page_shows_the_error_of_a_shared_link_without_its_gateway(page: Page, t
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_comes_back_when_the_program_does(page: Page, token: str) -> None:
+def test_page_reconnects_when_the_program_restarts(page: Page, token: str) -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = str(free.getsockname()[1])
     with live("sim:scara", SPEC, "--allow-writes", "--port", port) as running:

@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 @pytest.mark.slow
-def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -> None:
+def test_browser_that_stops_reading_delays_no_other_and_costs_no_memory() -> None:
     with live(FAST, SPEC) as running, looking(running) as reader:
         others = connections_of(running.process.pid)
         sleeper, dead = Sleeper(running), Sleeper(running)

@@ -90,7 +90,7 @@ def test_app_that_stops_reading_delays_no_other_client_and_costs_no_memory() -> 
 
 
 @pytest.mark.slow
-def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
+def test_messages_continue_when_the_gateway_returns(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:

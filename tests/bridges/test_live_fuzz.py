@@ -161,7 +161,7 @@ FRAMES = st.tuples(
 
 
 @given(frames=st.lists(FRAMES | st.binary(max_size=40), max_size=6), ends=st.booleans())
-def test_whatever_frames_come_others_are_served(running: Live, frames: list[bytes], ends: bool) -> None:
+def test_any_frames_of_a_page_leave_others_served(running: Live, frames: list[bytes], ends: bool) -> None:
     page = Sleeper(running)
     with page.socket, suppress(ConnectionError):
         for frame in frames:
@@ -201,7 +201,7 @@ def test_text_that_is_not_utf_8_ends_its_own_connection(running: Live) -> None:
 # HTTP
 
 
-def test_no_file_is_given_but_those_of_the_page(running: Live) -> None:
+def test_only_files_of_the_page_are_served(running: Live) -> None:
     head = f"Host: {running.host}\r\nConnection: close\r\n\r\n"
     assert answer_to(running, f"GET /live.js HTTP/1.1\r\n{head}".encode(), patience=30).startswith(b"HTTP/1.1 200 ")
     for path in (
@@ -279,7 +279,7 @@ def test_garbage_of_http_is_answered_in_a_word_or_not_at_all(running: Live, said
         (b"Upgrade: websocket", b"Upgrade: websocket\r\nSec-WebSocket-Protocol: ,,,"),
     ],
 )
-def test_a_handshake_that_is_none_makes_no_page(running: Live, old: bytes, new: bytes) -> None:
+def test_invalid_handshake_opens_no_page(running: Live, old: bytes, new: bytes) -> None:
     said = handshake(running.host).replace(old, new)
     assert new in said
     heard = answer_to(running, said, patience=0.3)

@@ -235,9 +235,7 @@ def test_written_values_are_known_until_the_link_is_opened_again(robot_type: Any
 
 
 @given(value=SCALARS, path=st.sampled_from(WRITES_NAMES))
-def test_whatever_value_is_asked_for_it_is_written_or_refused_in_a_sentence(
-    robot_type: Any, value: Any, path: str
-) -> None:
+def test_any_requested_value_is_written_or_refused_in_a_sentence(robot_type: Any, value: Any, path: str) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             answer = await Writing(robot_type(link), TOKEN).write(Write(1, path, value))

@@ -57,7 +57,7 @@ async def test_gateway_behind_a_server_is_away_while_its_samples_stop(rate_hz: f
 
 
 @on_simulated_time
-async def test_between_two_samples_of_a_slow_group_a_gateway_is_there() -> None:
+async def test_gateway_is_present_between_two_samples_of_a_slow_group() -> None:
     now = asyncio.get_running_loop().time
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1000))
     async with (

@@ -251,7 +251,7 @@ def test_wrong_use_is_reported_in_one_sentence(arguments: list[str], words: str)
     assert words in result.stderr
 
 
-def test_a_speed_at_which_nothing_can_be_played_is_refused(recorded: Path) -> None:
+def test_replay_at_an_impossible_speed_is_refused(recorded: Path) -> None:
     for speed in (0, 1e300, math.inf):
         words = re.escape(f"a speed of {speed:g} was asked for, expected more than 0 and at most 1e+06")
         with pytest.raises(ArgumentError, match=words):

@@ -138,14 +138,14 @@ def test_tcp_listens_on_this_machine_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("place", [["--tcp", "0"], []], ids=["tcp", "no tcp"])
-def test_another_address_wants_tcp_and_a_token(place: list[str]) -> None:
+def test_another_address_needs_tcp_and_a_token(place: list[str]) -> None:
     result = run("serve", "sim:", *place, "--host", "0.0.0.0")
     assert result.returncode == 2
     assert ("--token-file" if place else "--tcp") in result.stderr
 
 
 @pytest.mark.parametrize("url", ["sim:", "sim:examples/rover.ul"])
-def test_an_interface_wants_a_spec(url: str) -> None:
+def test_interface_option_needs_a_spec(url: str) -> None:
     result = run("serve", url, "--tcp", "0", "--interface", "other")
     assert result.returncode == 2
     assert "--interface goes with --spec alone" in result.stderr

@@ -62,7 +62,7 @@ async def test_silent_unauthenticated_clients_keep_no_client_with_the_token_out(
 
 
 @on_simulated_time
-async def test_clients_alone_count_towards_the_places_of_clients() -> None:
+async def test_only_clients_count_towards_the_limit_of_clients() -> None:
     async with sharing(VirtualGateway()) as shared:
         inside = [knock(shared, f"token {TOKEN}\n".encode()) for _ in range(MOST_CLIENTS)]
         await asyncio.sleep(0.01)

@@ -289,7 +289,7 @@ async def test_group_started_during_a_short_absence_of_the_gateway_begins_once()
 
 
 @on_simulated_time
-async def test_nothing_was_due_in_an_absence_for_a_group_that_did_not_run() -> None:
+async def test_stopped_group_misses_no_samples_during_an_absence() -> None:
     async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
         client = call(shared)
         client.transport.write(b"GS0001000A0110\rGP00\r")

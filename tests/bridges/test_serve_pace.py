@@ -20,13 +20,13 @@ def test_quick_line_has_as_many_bytes_in_flight_as_the_longest_wait_allows() -> 
     assert 0.5 * 40e6 * LONGEST_WAIT <= pace.most_ahead <= 1.5 * 40e6 * LONGEST_WAIT
 
 
-def test_a_slow_line_never_has_more_under_way_than_the_least() -> None:
+def test_slow_line_has_the_fewest_bytes_in_flight() -> None:
     pace = Pace()
     carry(pace, 11_520.0, seconds=10.0)
     assert pace.most_ahead == LEAST_AHEAD
 
 
-def test_a_line_that_becomes_slow_has_less_under_way_soon() -> None:
+def test_line_that_becomes_slow_soon_has_fewer_bytes_in_flight() -> None:
     pace = Pace()
     carry(pace, 40e6)
     much = pace.most_ahead

@@ -154,7 +154,7 @@ def test_a_shared_gateway_that_is_away_at_the_beginning_is_waited_for(tmp_path: 
     assert told == ["starting a group: nothing on the bus answered (told once)"]
 
 
-def test_the_quickest_rate_is_of_groups_that_give_samples_whatever_happens(tmp_path: Path) -> None:
+def test_quickest_rate_counts_only_groups_that_always_publish(tmp_path: Path) -> None:
     (tmp_path / "robot.ul").write_text("""
 group changed(1, 1, ON_CHANGE);
 group steady(2, 100);

@@ -320,7 +320,7 @@ def test_link_notices_a_killed_bridge_at_once_and_reconnects_to_the_next() -> No
 
 
 @pytest.mark.slow
-def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
+def test_gateway_may_start_late_and_restart(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), tmp_path / "gateway"
     with bridge(place, f"unix:{gateway}") as process, session(place) as peer:
         wait_for(process, "waiting for the gateway")
@@ -338,7 +338,7 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: Path) -> None:
+def test_gateway_that_leaves_and_returns_gets_no_value_twice(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--listen", place]
     with program(*command) as process, session(place) as peer, counting_up(peer):
@@ -444,7 +444,7 @@ def test_links_and_queries_survive_a_router_that_starts_late_and_restarts() -> N
 
 
 @pytest.mark.slow
-def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: Path) -> None:
+def test_router_that_leaves_and_returns_causes_no_second_write(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--mode", "client"]
     with gateway.running(), program(*command, "--connect", place) as process, contextlib.ExitStack() as putting:
@@ -504,7 +504,7 @@ def test_two_bridges_do_not_share_a_prefix() -> None:
 
 
 @pytest.mark.slow
-def test_by_default_nothing_is_open_to_other_machines() -> None:
+def test_bridge_is_closed_to_other_machines_by_default() -> None:
     opened = open_session(Network(), meeting=True)
     try:
         listening = subprocess.run(["ss", "-Hlntup"], capture_output=True, text=True, check=True).stdout

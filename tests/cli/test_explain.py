@@ -81,7 +81,7 @@ def test_json_has_an_object_for_each_frame_and_the_summary(snoop: Path) -> None:
     assert result.stderr == ""
 
 
-def test_a_stretch_of_time_is_shown_alone(snoop: Path) -> None:
+def test_explain_shows_a_range_of_time(snoop: Path) -> None:
     times = [json.loads(line).get("time") for line in run("explain", snoop, "--json").stdout.splitlines()]
     middle = times[len(times) // 2]
     result = run("explain", snoop, "--json", "--from", middle, "--to", middle + 1e-7)

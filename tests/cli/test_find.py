@@ -151,7 +151,7 @@ def test_a_board_is_given_an_address_and_shown_with_it() -> None:
     assert missing.stderr == f"error: no board with the MAC address 02:55:4c:00:00:09 has answered at port {port}\n"
 
 
-def test_a_name_does_nothing_to_the_terminal_and_makes_no_line() -> None:
+def test_name_of_a_board_has_no_control_sequences_and_no_line_ends() -> None:
     names = ["\x1b[2Jx\x07", "a\nudp://10.0.0", "b\r\nmap", "c\rmap", "d\tmap"]
     founds = [
         LAMP._replace(name=name, mac=bytes.fromhex(f"02554c0000{number:02x}")) for number, name in enumerate(names, 1)

@@ -105,7 +105,7 @@ def test_configure_keeps_the_other_contents_of_a_valid_eeprom() -> None:
 
 
 @pytest.mark.parametrize("answer", ["n\n", ""])
-def test_without_a_yes_nothing_is_written(answer: str) -> None:
+def test_eeprom_is_written_only_after_a_yes(answer: str) -> None:
     with plugged_in(build_eeprom("UART", "S1")) as [device]:
         code, _, notes = run("configure", URL, "--mode", "fifo", answer=answer)
         assert code == 1
@@ -113,7 +113,7 @@ def test_without_a_yes_nothing_is_written(answer: str) -> None:
         assert device.chip.eeprom == build_eeprom("UART", "S1")
 
 
-def test_a_chip_that_is_right_already_is_left_alone() -> None:
+def test_eeprom_that_is_right_already_is_not_written() -> None:
     with plugged_in(build_eeprom("FIFO", "S1")):
         assert "nothing to do" in run("configure", URL, "--mode", "fifo")[2]
 

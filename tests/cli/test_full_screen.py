@@ -100,7 +100,7 @@ def is_the_whole_demo(width: int, screen: str) -> bool:
     )
 
 
-def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> None:
+def test_demo_fits_a_window_of_any_size(terminal: Window) -> None:
     # Some shells export COLUMNS and LINES, which do not change with the size of the window.
     terminal.enter("COLUMNS=80 LINES=24 unity-link demo --duration 600; echo code $?")
     for width, height in [(100, 30), (60, 15), (40, 8), (220, 50), (70, 20)]:
@@ -166,7 +166,7 @@ def test_watch_counts_the_addresses_that_do_not_fit_a_small_window(terminal: Win
     terminal.wait_for("^code 0$")
 
 
-def test_watch_shows_that_the_gateway_is_away_and_goes_on_when_it_is_back(terminal: Window, tmp_path: Path) -> None:
+def test_watch_shows_an_absent_gateway_and_continues_when_it_returns(terminal: Window, tmp_path: Path) -> None:
     with served(counting_gateway(), tmp_path):
         terminal.enter("unity-link watch unix:gateway 0x10; echo code $?")
         terminal.wait_until(lambda screen: value(screen) > 3)

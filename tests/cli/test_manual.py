@@ -49,7 +49,7 @@ def test_the_manual_page_has_every_command_and_option() -> None:
                 assert f".B {option}" in sections[f"{name} "] or f", {option}" in sections[f"{name} "], (name, option)
 
 
-def test_no_line_of_the_manual_page_is_taken_for_a_request_that_is_none() -> None:
+def test_no_text_of_the_manual_page_is_a_request_to_roff() -> None:
     requests = {line.split()[0] for line in manual.page().splitlines() if line.startswith((".", "'"))}
     assert requests == {".TH", ".SH", ".SS", ".TP", ".PP", ".B", ".I"}
 

@@ -50,7 +50,7 @@ def test_output_of_rich_has_no_control_sequences_from_outside(thing: object) -> 
     assert "b" in stream.getvalue()
 
 
-def test_colours_stay_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_colours_are_kept_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", "xterm-256color")
     monkeypatch.delenv("NO_COLOR", raising=False)
     stream = Terminal()

@@ -116,7 +116,7 @@ def test_wrong_name_or_value_is_reported_before_any_write(
     assert not snoop.exists()
 
 
-def test_a_group_in_the_place_of_a_signal_is_answered_by_its_signals(tmp_path: Path) -> None:
+def test_group_instead_of_a_signal_is_an_error_that_lists_its_signals(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(GROUPED)
     result = run("watch", "sim:", str(spec), "motion")

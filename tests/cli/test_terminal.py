@@ -70,7 +70,7 @@ def test_arriving_samples_do_not_disturb_the_line_being_typed(terminal: Window) 
     assert terminal.state == GIVEN_BACK
 
 
-def test_lines_of_earlier_times_are_there_again(terminal: Window) -> None:
+def test_history_has_the_lines_of_earlier_sessions(terminal: Window) -> None:
     for keys in (["R", "0", "A", "Enter"], ["Up", "Enter"]):
         terminal.clear()
         terminal.enter("unity-link terminal sim:; echo code $?")
@@ -155,7 +155,7 @@ def test_a_gateway_that_goes_away_ends_the_terminal_in_one_sentence(terminal: Wi
     assert terminal.state == GIVEN_BACK
 
 
-def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_path: Path) -> None:
+def test_noise_is_shown_without_control_sequences(terminal: Window, tmp_path: Path) -> None:
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(listen_unix(Noise, tmp_path / "gateway")),
@@ -168,7 +168,7 @@ def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_pat
         terminal.wait_for("^code 0$")
 
 
-def test_an_echo_alone_is_no_gateway_and_ends_nothing(terminal: Window, tmp_path: Path) -> None:
+def test_echo_is_no_gateway_and_does_not_end_the_terminal(terminal: Window, tmp_path: Path) -> None:
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(listen_unix(Echo, tmp_path / "gateway")),

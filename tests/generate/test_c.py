@@ -312,7 +312,7 @@ def test_little_memory_is_enough(small_driver: Path) -> None:
 
 
 @pytest.mark.parametrize("medium", MEDIA)
-def test_an_error_of_the_bus_names_the_request_and_leaves_the_others_alone(client: Driven, medium: Medium) -> None:
+def test_bus_error_names_the_request_and_affects_no_other(client: Driven, medium: Medium) -> None:
     with simulate(medium, "--robot", "scara") as url:
         client.words(f"connect {url} 5")
         assert client("write 88 1") == "4 write at 0x88: the bus refused the access"
@@ -601,7 +601,7 @@ def test_connection_that_ends_before_the_first_answer_is_reported_as_such(client
         assert client.answer() == f"{NO_CONNECTION}the connection was lost before the gateway answered"
 
 
-def test_a_link_with_nothing_under_way_is_closed_without_a_word(driver: Path) -> None:
+def test_idle_link_is_closed_without_a_request(driver: Path) -> None:
     gateway = FallingSilent()
     with Simulated(driver, gateway) as client:
         client.words("connect test: 5")
@@ -626,7 +626,7 @@ def test_port_in_use_by_another_program_is_reported(driver: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 @pytest.mark.parametrize("fault", [lose, damage])
-def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
+def test_lost_answer_is_requested_again_and_nothing_executes_twice(
     client: Driven, medium: Medium, fault: Callable[[str], Fault]
 ) -> None:
     with simulate("tcp") as gateway, FaultyLine(gateway, medium, [fault("^w000"), fault("^r002")]) as line:
@@ -668,7 +668,7 @@ def test_request_with_side_effects_executes_once_and_its_answer_is_repeated(clie
 
 
 @pytest.mark.parametrize("fault", [lose, damage, double])
-def test_requests_that_arrive_wrong_are_sent_again_in_order(client: Driven, fault: Callable[[str], Fault]) -> None:
+def test_damaged_requests_are_retransmitted_in_order(client: Driven, fault: Callable[[str], Fault]) -> None:
     gateway, queue = VirtualGateway(), Counting()
     gateway.attach(queue, [0x20])
     faults = [fault(f"^ws?{number:03X}") for number in (1, 5, 6, 20, 21, 60)]
@@ -831,7 +831,7 @@ OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXEC
 @pytest.mark.parametrize("together", [False, True], ids=["one by one", "together"])
 @pytest.mark.parametrize("chances", SPOILED, ids=str)
 @BOTH_FORMS
-def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
+def test_client_sends_the_same_bytes_at_the_same_times_as_the_python_host(
     driver: Path, chances: dict[str, float], info: GatewayInfo, *, together: bool
 ) -> None:
     count = 200
@@ -885,7 +885,7 @@ def test_outcomes_of_requests_at_a_reset_equal_those_of_the_python_host(driver: 
         assert {*ended[len(sent) :]} <= {0, int(LOST_NOT_EXECUTED)}
 
 
-def test_a_batch_costs_as_many_repetitions_as_that_of_the_host_in_python(driver: Path) -> None:
+def test_batch_costs_as_many_retransmissions_as_in_the_python_host(driver: Path) -> None:
     mine = reference = 0
     for seed in range(3):
         line, other = (LineOfASession(VirtualGateway(TWO_DIGITS), seed, flip=0.01) for _ in range(2))
@@ -1492,7 +1492,7 @@ def test_a_write_that_failed_and_of_which_the_error_was_lost_is_an_error(driver:
 @pytest.mark.parametrize(
     ("flip", "counts"), [(0.004, (1, 3, 7, 40)), (0.0004, (255, 1, 100, 254))], ids=["few", "many"]
 )
-def test_no_event_of_a_queue_is_lost_or_given_twice_whatever_the_line_loses(
+def test_no_event_of_a_queue_is_lost_or_doubled_on_a_bad_line(
     driver: Path, flip: float, counts: tuple[int, ...]
 ) -> None:
     info = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)
@@ -1510,7 +1510,7 @@ def test_no_event_of_a_queue_is_lost_or_given_twice_whatever_the_line_loses(
         assert taken == list(range(len(taken)))
 
 
-def test_plain_answers_and_those_of_another_session_are_never_taken(driver: Path) -> None:
+def test_plain_answers_and_those_of_another_session_are_ignored(driver: Path) -> None:
     gateway, checked = ObservedGateway(), Framing(Crc()).checked
     wrong: list[Callable[[bytes], bytes]] = [
         lambda number: b"r%b0000BAD0\r\n" % number,

@@ -95,7 +95,7 @@ def test_a_link_uses_text_or_ends_with_a_sentence_within_its_time_out(
 
 
 @pytest.mark.parametrize("name", ["seven bits", "NUL taken out"])
-def test_at_a_real_port_a_link_uses_text(client: Driven, name: str) -> None:
+def test_link_on_a_real_port_uses_text(client: Driven, name: str) -> None:
     with on_a_port(ChangedLine(simulated(features=FEATURES), LINES[name]), "tcp") as url:
         client.words(f"connect {url} 5")
         client.words(f"write 1 {WORDS[0]:X}")

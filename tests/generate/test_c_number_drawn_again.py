@@ -108,7 +108,7 @@ def test_an_idle_client_sends_its_next_request_after_one_exchange(driver: Path, 
 
 
 @pytest.mark.parametrize("lost", range(1, 1 << 6, 3))
-def test_a_proof_of_the_client_goes_on_whichever_of_its_frames_are_lost(driver: Path, lost: int) -> None:
+def test_proof_of_a_session_succeeds_whichever_of_its_frames_are_lost(driver: Path, lost: int) -> None:
     line = Line(driver)
     with line.client:
         line.idle()
@@ -140,7 +140,7 @@ def test_a_client_leaves_a_gateway_that_never_answers_n(driver: Path) -> None:
 
 
 @pytest.mark.parametrize("number_is_drawn_again", [False, True])
-def test_on_a_pair_of_wires_the_client_sends_one_frame_at_a_time(driver: Path, *, number_is_drawn_again: bool) -> None:
+def test_client_on_a_pair_of_wires_sends_one_frame_at_a_time(driver: Path, *, number_is_drawn_again: bool) -> None:
     line = Line(driver, PAIR)
     with line.client:
         line.idle()

@@ -81,7 +81,7 @@ def test_line_full_of_garbage_is_reported_within_two_seconds(driver: Path, kind:
         client("close")
 
 
-def test_noise_while_nothing_is_asked_for_ends_no_link(driver: Path) -> None:
+def test_noise_on_an_idle_line_ends_no_link(driver: Path) -> None:
     gateway = VirtualGateway()
 
     def noisy(data: bytes, now: float) -> bytes:
@@ -113,7 +113,7 @@ def endless(runtime: list[Path]) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ENDLESS)
-def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless: Path, kind: str) -> None:
+def test_flood_of_bytes_delays_no_call_beyond_its_time_out(endless: Path, kind: str) -> None:
     calls = [line.split() for line in output(endless, ENDLESS[kind].hex().upper()).splitlines()]
     status = {name: int(number) for name, number, _, _ in calls}
     assert status == {"open": 36, "stuck": 36, "poll": 0, "next": 39, "await": 39, "read": 32, "close": 0}
@@ -167,7 +167,7 @@ def test_port_with_tx_wired_to_rx_is_reported_if_no_answer_follows_the_echo(driv
         assert ECHO_PATIENCE < client.now < 2 * ECHO_PATIENCE
 
 
-def test_a_question_that_came_back_once_is_no_echo(driver: Path) -> None:
+def test_query_that_returned_once_is_no_echo(driver: Path) -> None:
     gateway, times = VirtualGateway(), itertools.count()
 
     def once(data: bytes, now: float) -> bytes:

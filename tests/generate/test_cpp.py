@@ -352,7 +352,7 @@ def test_lost_answers_are_repeated_with_their_old_values(runtime: list[Path]) ->
 
 
 @pytest.mark.slow
-def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
+def test_gateway_that_rejects_every_request_is_an_error_and_then_lost(runtime: list[Path]) -> None:
     body = """
     std::uint64_t word = 0;
     {

@@ -155,7 +155,7 @@ def made(
 @pytest.mark.parametrize(
     "target", [pytest.param(one, marks=pytest.mark.slow) if one == "verilog" else one for one in TARGETS]
 )
-def test_hostile_strings_change_nothing_but_strings_and_comments(target: str, tmp_path: Path) -> None:
+def test_hostile_strings_change_only_strings_and_comments(target: str, tmp_path: Path) -> None:
     plain = made(target, tmp_path, "plain.ul", "Plain.\n/// Lines.", "plain", PLAIN_PACKAGE)
     hostile = made(target, tmp_path, HOSTILE_NAME, HOSTILE_LINES, HOSTILE, PACKAGE)
     assert plain.keys() == hostile.keys()

@@ -364,7 +364,7 @@ def test_the_text_is_one_that_matlab_shows_whole() -> None:
         assert '"' not in file.text, file.name
 
 
-def test_the_text_is_matlab_and_nothing_of_octave_alone(octave: Octave) -> None:
+def test_generated_text_is_valid_in_matlab_and_not_only_in_octave(octave: Octave) -> None:
     """Octave warns if a file uses a feature that MATLAB lacks."""
     octave.generate(compile_file(EXAMPLES / "scara.ul"))
     files = sorted(str(path.relative_to(octave.folder)) for path in octave.folder.rglob("*.m"))

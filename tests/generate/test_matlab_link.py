@@ -353,7 +353,7 @@ def test_octave_ends_well_with_open_links_and_after_all_is_cleared(octave: Octav
 
 
 @pytest.mark.slow
-def test_a_ctrl_c_ends_a_take_and_leaves_the_link_as_it_is(octave: Octave) -> None:
+def test_ctrl_c_ends_a_take_and_the_link_stays_usable(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     script = """\
 link = unity_link.Link('{url}');
@@ -685,7 +685,9 @@ def test_gateway_of_another_version_is_reported_with_a_remedy(octave: Octave) ->
     [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 128)],
     ids=["a small FIFO", "the window"],
 )
-def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
+def test_requests_in_flight_stay_within_the_gateways_limits(
+    octave: Octave, settings: tuple[str, ...], most: int
+) -> None:
     octave.generate(compile_text(FIGURE_1))
     options = [option for setting in settings for option in ("--set", setting)]
     with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
@@ -815,7 +817,7 @@ show('damaged', link.statistics.damaged_frames);
     assert shown["damaged"] == doubles(1)
 
 
-def test_a_lost_answer_is_asked_for_again_while_samples_arrive(octave: Octave) -> None:
+def test_lost_answer_is_requested_again_while_samples_arrive(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, FaultyLine(url, "tcp", [lose("^r")]) as line:
         shown = octave.run(f"""\

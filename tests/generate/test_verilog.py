@@ -66,7 +66,7 @@ endmodule
 
 @pytest.mark.rtl
 @pytest.mark.skipif(shutil.which("iverilog") is None, reason="no Icarus Verilog: apt install iverilog")
-def test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for(tmp_path: Path) -> None:
+def test_netlist_has_the_requested_clock_and_baud_rate(tmp_path: Path) -> None:
     (text,) = (
         file.text for file in generate("verilog", LAMP, clock_hz=CLOCK_HZ, baud=BAUD) if file.name == "lamp_on_uart.v"
     )
@@ -97,6 +97,6 @@ def test_generics_that_the_gateware_refuses_are_refused_before_conversion(
         generate("verilog", LAMP, None, **options)
 
 
-def test_a_clock_is_for_verilog_alone() -> None:
+def test_clock_option_is_only_for_verilog() -> None:
     with pytest.raises(ArgumentError, match="ros1 takes no clock_hz: it is for verilog"):
         generate("ros1", LAMP, clock_hz=1)

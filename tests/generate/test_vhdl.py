@@ -398,7 +398,7 @@ def test_spec_with_parts_without_gateware_gets_no_complete_design(declared: str,
         check_whole(spec.interface())
 
 
-def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
+def test_base_without_a_name_is_no_missing_part() -> None:
     spec = compile_text("public robot() { MEMORY(BASE=0x10) { @lamp = 0: unsigned 8 READWRITE(); } }")
     check_whole(spec.interface())
 
@@ -505,7 +505,7 @@ def test_four_generated_gateways_take_turns_on_one_pair_of_wires() -> None:
 # each kind of register.
 @rtl
 @pytest.mark.campaign
-def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> None:
+def test_walker_is_synthesised_from_its_spec_and_pins(tmp_path: Path) -> None:
     # Place and route takes minutes: `make synth` does it, and gateware/RESULTS.md has the results.
     board = BOARDS / "walker"
     assert [path.suffix for path in board.iterdir()] == [".lpf"]

@@ -47,7 +47,7 @@ TESTS = [
     "tests/protocol",
     WORLDS,
     "tests/test_protocol_document.py",
-    "tests/generate/test_c.py::test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python",
+    "tests/generate/test_c.py::test_client_sends_the_same_bytes_at_the_same_times_as_the_python_host",
     "tests/generate/test_c.py::test_outcomes_of_requests_at_a_reset_equal_those_of_the_python_host",
     "tests/virtual/test_gateway.py",
     "tests/virtual/test_groups.py",

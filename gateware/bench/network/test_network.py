@@ -58,7 +58,7 @@ def test_ping_is_answered_with_its_own_data(size: int) -> None:
         assert reply == struct.pack("!BB", 0, 0) + reply[2:4] + struct.pack("!HH", 0x1234, number) + data
 
 
-def test_every_check_of_a_ping_is_answered_by_a_right_one() -> None:
+def test_answers_to_pings_have_the_right_checksum() -> None:
     wire = Wire()
     for word in (*range(0xF7F0, 0x10000, 37), 0x00FF, 0xF8FF, 0xFFFF, 0, 1):
         (taken,) = wire.ask(ping(struct.pack("!H", word)))
@@ -228,7 +228,7 @@ def test_a_datagram_without_a_response_brings_none_back() -> None:
     assert wire.writes() == [(0x0A, 1)]
 
 
-def test_after_a_reset_there_is_another_session() -> None:
+def test_session_differs_after_a_reset() -> None:
     wire = Wire()
     host = Host(wire)
     host.open()
@@ -331,7 +331,7 @@ def test_a_question_with_a_wrong_check_gives_no_address() -> None:
     assert found[0] == GATEWAY_IP
 
 
-def test_a_session_goes_on_while_others_are_asked() -> None:
+def test_session_continues_while_other_boards_are_queried() -> None:
     wire, rng = Wire(), random.Random(11)
     host = Host(wire)
     host.open(0)
@@ -418,7 +418,7 @@ def _put(spoil: Callable[[bytes, random.Random], bytes]) -> Callable[[Wire, byte
 @pytest.mark.parametrize(
     ("frames", "seed"), [(2000, 0), *(pytest.param(250_000, seed, marks=pytest.mark.campaign) for seed in range(1, 5))]
 )
-def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int, seed: int) -> None:
+def test_core_gets_no_wrong_datagram_and_each_right_one_once(frames: int, seed: int) -> None:
     wire = Wire()
     counts = write_over_a_bad_line(
         wire,

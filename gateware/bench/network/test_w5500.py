@@ -171,7 +171,7 @@ def test_frame_that_the_chip_never_reports_as_sent_is_given_up(wire: Wire) -> No
     assert wire.resets() == 0
 
 
-def test_a_reset_of_the_gateway_anywhere_begins_anew(wire: Wire) -> None:
+def test_gateway_works_after_a_reset_at_any_instant(wire: Wire) -> None:
     rng = random.Random(2)
     for _ in range(5):
         wire.put(ping(rng.randbytes(700)))

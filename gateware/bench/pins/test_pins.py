@@ -124,7 +124,7 @@ def test_a_crossing_that_passes_logic_is_found() -> None:
     assert bad.crossings() == {"two": Crossing(bits=1, stages=0, longest_ns=0.0, skew_ns=0.0)}
 
 
-def test_a_crossing_of_which_the_first_register_is_looked_at_is_found() -> None:
+def test_use_of_the_first_register_of_a_crossing_is_found() -> None:
     looked_at = _design(
         one__q=_register(1, 10, 100),
         two__q=_register(10, 12, 200),
