@@ -1,4 +1,4 @@
-"""the contents of the file, and their replay and export."""
+"""Recordings: the contents of the file, and their replay and export."""
 
 from __future__ import annotations
 

@@ -164,7 +164,7 @@ public robot() {
         assert shown[label].startswith("unity_link:argumentError "), shown[label]
     assert shown["posted"] == doubles(-5)
     assert shown["integer"] == doubles(-6)
-    # The port belongs to plain memory.
+    # The gateway has plain memory at the port: each read returns the last written word.
     assert shown["taken"] == doubles(5, 5)
     assert shown["one"] == doubles(5)
     assert shown["all"] == doubles(11, 5, 3, 1)

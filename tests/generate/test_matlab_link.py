@@ -627,7 +627,7 @@ link = unity_link.Link('{line.url}');
 samples = link.subscribe(1, 'rate_hz', 100);
 attempt('write', @() link.write(1, 1));
 """)
-        # So many time-outs take five seconds.
+        # The client retransmits fewer than 20 times in the five seconds until it gives up.
         assert line.count("^w") < 20
     assert shown["write"] == (
         "unity_link:linkLost the gateway does not answer any more: is it powered and connected, or does another "
