@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import Json
 from unity_link.cli.output import print_json, print_note, print_parts
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError, ConnectError

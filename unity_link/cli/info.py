@@ -32,7 +32,7 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
     run(_info(url, json=json, timeout=timeout))
 
 
-async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
+async def _info(url: str, *, json: bool, timeout: float) -> None:
     from unity_link.link.connecting import connect
     from unity_link.transport import has_bus, parse_url
     from unity_link.transport.ft232h.chip import asked_baud, describe_baud, made_of

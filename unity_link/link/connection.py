@@ -276,7 +276,7 @@ class Connection:
 
     # Life
 
-    async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
+    async def open(self, timeout: float) -> None:
         """Connect and start a session.
 
         Raises:
@@ -286,7 +286,7 @@ class Connection:
         self._open_timeout = timeout
         await self._open(timeout)
 
-    async def _open(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
+    async def _open(self, timeout: float) -> None:
         name = self._name
         stream = Stream(self._new_waiter)
         self._opening = True
@@ -385,7 +385,7 @@ class Connection:
         count = self._lost_at_once + 1
         return count if self._now() - self._opened_again_at < reconnect.pause_after(count) else 0
 
-    async def _attempt(self, timeout: float) -> Exception | None:  # noqa: ASYNC109  (as `open`)
+    async def _attempt(self, timeout: float) -> Exception | None:
         """Open the connection again, and return the error of an attempt that another one may follow.
 
         Raises:
@@ -404,7 +404,7 @@ class Connection:
             return error
         return None
 
-    async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
+    async def _open_again(self, timeout: float) -> None:
         await self._open(timeout)
         try:
             await self._restore()

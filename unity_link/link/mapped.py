@@ -50,7 +50,7 @@ class MappedLink(Link):
 
     # Life
 
-    async def open(self, timeout: float) -> None:  # noqa: ARG002, ASYNC109  (as a link's; this one does not wait)
+    async def open(self, timeout: float) -> None:  # noqa: ARG002  (as a link's; this one does not wait)
         """Map the bus.
 
         Raises:

@@ -143,7 +143,7 @@ class Settings(NamedTuple):
         for family, kind, protocol, _, remote in known:
             opened = socket.socket(family, kind, protocol)
             try:
-                opened.setblocking(False)  # noqa: FBT003  (it has no name)
+                opened.settimeout(0)
                 self._set(opened, family)
                 opened.connect(remote)
             except OSError as error:
@@ -234,7 +234,7 @@ class DatagramChannel:
 
 def _prepare(opened: socket.socket, path: Path) -> None:
     path.begin(HEADERS_6 if opened.family == socket.AF_INET6 else HEADERS, _known_mtu(opened))
-    opened.setblocking(False)  # noqa: FBT003  (it has no name)
+    opened.settimeout(0)
     # Some systems refuse what is beyond their limit, others take the limit.
     with contextlib.suppress(OSError):
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)

@@ -120,7 +120,7 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         super().__init__(self._jumping)
         self.set_default_executor(_AtOnce())
 
-    async def shutdown_default_executor(self, timeout: float | None = None) -> None:  # noqa: ASYNC109  (asyncio's own)
+    async def shutdown_default_executor(self, timeout: float | None = None) -> None:
         """Do nothing: what works at once has nothing left to do, and asyncio would ask it in a thread."""
 
     def time(self) -> float:

@@ -159,7 +159,7 @@ class CallingThread:
         """Those that the attendant is to run until their next wait."""
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
-            end.setblocking(False)  # noqa: FBT003  (it has no name)
+            end.settimeout(0)
         self.watch(self._woken.fileno(), READABLE, self._empty)
         CALLING.add(self)
 

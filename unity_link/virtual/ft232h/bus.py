@@ -81,7 +81,7 @@ class SimulatedClock:
         """Return the time."""
         return self._now
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing else can notify it)
+    def wait(self, changed: threading.Condition, until: float) -> None:
         """Jump."""
         self._now = max(self._now, until)
 
@@ -106,7 +106,7 @@ class LoopClock:
         """Return the time."""
         return self.loop.time()
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (nothing waits)
+    def wait(self, changed: threading.Condition, until: float) -> None:
         """Refuse: it would keep the loop, and with it the time, from going on."""
         raise RuntimeError("a chip on the time of a loop can't be waited for")
 

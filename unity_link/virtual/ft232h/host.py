@@ -108,7 +108,7 @@ class _OutQueue:
         head = self.waiting[0]
         return self.port.can_take >= min(PACKET_SIZE, len(head.data) - head.sent)
 
-    def next_due(self, now: float) -> float | None:  # noqa: ARG002  (as the other queue has it)
+    def next_due(self, now: float) -> float | None:
         """Return the instant at which a packet can go; without room it waits for the board, which is due by itself."""
         return self.waiting[0].starts_at if self.waiting and self._has_room() else None
 

@@ -104,7 +104,7 @@ class _Signal:
         else:
             self._sockets = socket.socketpair()
             for end in self._sockets:
-                end.setblocking(False)  # noqa: FBT003  (its only argument)
+                end.settimeout(0)
             # The smallest there is, as it is filled and emptied for each event.
             self._sockets[0].setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1)
             self.descriptor = self._sockets[0].fileno()
@@ -164,14 +164,14 @@ class Context:
 
     # usb1's names
 
-    def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
+    def getPollFDList(self) -> list[tuple[int, int]]:
         """Return the descriptors to wait for, and for what."""
         return [(self._signal.descriptor, select.POLLOUT)]
 
-    def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
+    def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:
         """Ignore it: the descriptor never changes."""
 
-    def handleEventsTimeout(self, tv: float = 0) -> None:  # noqa: ARG002, N802
+    def handleEventsTimeout(self, tv: float = 0) -> None:
         """Call back for what has ended."""
         with self._device.changed:
             ended, self._ended = self._ended, []
@@ -179,7 +179,7 @@ class Context:
         for request in ended:
             request.call_back()
 
-    def getNextTimeout(self) -> float | None:  # noqa: N802
+    def getNextTimeout(self) -> float | None:
         """Return None, since no time out is planned."""
         return None
 
@@ -192,16 +192,16 @@ class Handle:
         self.device = device
         self._host = host
 
-    def claimInterface(self, interface: int) -> None:  # noqa: N802
+    def claimInterface(self, interface: int) -> None:
         """Take the interface."""
         if not self.device.claim(interface, self):
             raise OSError(errno.EBUSY, f"interface {interface} is claimed")
 
-    def releaseInterface(self, interface: int) -> None:  # noqa: N802
+    def releaseInterface(self, interface: int) -> None:
         """Let go of the interface."""
         self.device.release(interface, self)
 
-    def clearHalt(self, endpoint: int) -> None:  # noqa: N802
+    def clearHalt(self, endpoint: int) -> None:
         """Clear the halt of an endpoint."""
         with self.device.changed:
             self.device.host.control_out(0x02, 0x01, 0, endpoint, self.device.now())
@@ -225,7 +225,7 @@ class Handle:
             self.device.host.cancel(transfer, self.device.now())
         self._host.wake()
 
-    def getTransfer(self) -> TransferRequest:  # noqa: N802
+    def getTransfer(self) -> TransferRequest:
         """Return a new transfer."""
         return TransferRequest(self)
 
@@ -247,7 +247,7 @@ class TransferRequest:
         self._callback: Callable[[TransferRequest], None] | None = None
         self._submitted = False
 
-    def setBulk(  # noqa: N802
+    def setBulk(
         self, endpoint: int, buffer_or_len: bytes | int, callback: Callable[[TransferRequest], None] | None = None
     ) -> None:
         """Set endpoint, data and callback of the transfer."""
@@ -268,7 +268,7 @@ class TransferRequest:
             self._submitted = False
             raise
 
-    def _end(self, transfer: Transfer) -> None:  # noqa: ARG002
+    def _end(self, transfer: Transfer) -> None:
         self._handle.context.ended(self)
 
     def call_back(self) -> None:
@@ -282,22 +282,22 @@ class TransferRequest:
         assert self._transfer is not None
         self._handle.cancel(self._transfer)
 
-    def isSubmitted(self) -> bool:  # noqa: N802
+    def isSubmitted(self) -> bool:
         """Return whether it is under way."""
         return self._submitted
 
-    def getStatus(self) -> int:  # noqa: N802
+    def getStatus(self) -> int:
         """Return the result of the transfer."""
         assert self._transfer is not None
         assert self._transfer.status is not None
         return _STATUSES[self._transfer.status]
 
-    def getActualLength(self) -> int:  # noqa: N802
+    def getActualLength(self) -> int:
         """Return how many bytes were moved."""
         assert self._transfer is not None
         return self._transfer.moved
 
-    def getBuffer(self) -> bytearray:  # noqa: N802
+    def getBuffer(self) -> bytearray:
         """Return what came."""
         assert self._transfer is not None
         return self._transfer.data
