@@ -103,7 +103,7 @@ class Parts:
                 numbers[channel.topic] = writer.register_channel(topic or channel.topic, "json", number, said)
             for place, (name, instant, data) in enumerate(self.messages):
                 writer.add_message(numbers[name], at(place, instant), edit(data), instant)
-            writer.finish()  # type: ignore[no-untyped-call]
+            writer.finish()
 
 
 def cases(parts: Parts) -> Iterator[tuple[str, dict[str, Any]]]:

@@ -206,7 +206,7 @@ def with_head(recorded: Path, name: str, head: Any) -> Path:
             record.write(builder)
     DataEnd(0).write(builder)
     path = recorded.with_name("changed.mcap")
-    path.write_bytes(MCAP0_MAGIC + builder.end())  # type: ignore[no-untyped-call]
+    path.write_bytes(MCAP0_MAGIC + builder.end())
     return path
 
 
@@ -314,7 +314,7 @@ def test_a_chunk_that_would_fill_the_memory_is_left_out(
     ).write(builder)
     path = tmp_path / "bomb.mcap"
     whole, place = recorded.read_bytes(), summary.chunk_indexes[0].chunk_start_offset
-    path.write_bytes(whole[:place] + builder.end() + whole[place:])  # type: ignore[no-untyped-call]
+    path.write_bytes(whole[:place] + builder.end() + whole[place:])
     del data, packed
 
     tracemalloc.start()

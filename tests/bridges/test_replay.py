@@ -188,7 +188,7 @@ def test_a_recording_that_another_program_wrote_anew_is_played_the_same(
             writer.register_channel(channel.topic, "json", channel.schema_id, channel.metadata)
         for _, channel, message in reader.iter_messages(log_time_order=False):
             writer.add_message(channel.id, message.log_time, message.data, message.publish_time, message.sequence)
-        writer.finish()  # type: ignore[no-untyped-call]
+        writer.finish()
 
     rows = [[(row.at, row.group, row.words.tolist()) for row in of.in_order()] for of in (recording, Recording(again))]
 

@@ -12,7 +12,7 @@ import contextlib
 import errno
 import socket
 import sys
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.host.datagrams import HostDatagrams
@@ -262,9 +262,9 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         """Frames that arrived while nothing was read."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
-    def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Begin."""
-        self._endpoint = transport
+        self._endpoint = cast("asyncio.DatagramTransport", transport)
         known = transport.get_extra_info("socket")
         if known is not None:
             # What an event loop tells of its socket can't be read from.

@@ -111,7 +111,7 @@ def close_session(session: zenoh.Session) -> None:
 
     def close() -> None:
         with contextlib.suppress(zenoh.ZError):
-            session.close()  # type: ignore[no-untyped-call]
+            session.close()
 
     atexit.unregister(session.close)
     closing = threading.Thread(target=close, name="zenoh-close", daemon=True)
