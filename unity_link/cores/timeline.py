@@ -478,7 +478,7 @@ class ScheduleFeed:
             if self._pending:
                 await self._pause(self.registers.depth, lease)
 
-    async def see(self, is_told: Callable[[Any], bool], *, is_connected: bool) -> None:
+    async def see(self, is_told: Callable[[object], bool], *, is_connected: bool) -> None:
         """Raise the error of what is known not to have acted, and is not awaited, as a fence does.
 
         What has passed is waited for, and what is to act later is not. A timeline tells in its own block of what it
@@ -506,7 +506,7 @@ class ScheduleFeed:
             self._void(LinkLostError, "the connection was lost", self._bounds.most(running().steady()))
         await self.raise_failures(is_told)
 
-    async def raise_failures(self, is_told: Callable[[Any], bool] | None = None) -> None:
+    async def raise_failures(self, is_told: Callable[[object], bool] | None = None) -> None:
         """Raise the error of the batches that are known not to have acted, and are not awaited.
 
         Args:

@@ -125,7 +125,7 @@ class Link(OfLink, Connection):
         self._left_open: LeftOpen | None = None
         self._posted = False
         self._caller = self._runtime.caller
-        self._posted_failures: dict[Any, PostedFailure] = {}
+        self._posted_failures: dict[object, PostedFailure] = {}
         """Failed posts that nobody was told of, the oldest first: of each task, and under None of those that are over.
         """
         self._guards: dict[int, Guard] = {}
@@ -304,7 +304,7 @@ class Link(OfLink, Connection):
         """
         return self._post_for(self._caller(), address, value)
 
-    async def _post_for(self, poster: Any, address: int, value: int, *, of_session: bool = False) -> None:
+    async def _post_for(self, poster: object, address: int, value: int, *, of_session: bool = False) -> None:
         flow = self._flow
         codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
@@ -340,7 +340,7 @@ class Link(OfLink, Connection):
         """
         return self._fence_for(self._caller())
 
-    async def _fence_for(self, caller: Any) -> None:
+    async def _fence_for(self, caller: object) -> None:
         self._posted = False
         is_told = told_now(self._runtime, caller)
         try:
@@ -364,7 +364,7 @@ class Link(OfLink, Connection):
         """
         await self._flow.answer(Confirmation(self._session.codec, of_session=True))
 
-    async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
+    async def _raise_errors(self, is_told: Callable[[object], bool]) -> None:
         if self._posted_failures:
             await self._raise_posted(is_told)
         for writer in tuple(self.told_by_fence.values()):
@@ -392,7 +392,7 @@ class Link(OfLink, Connection):
                 first.add_note(str(other))
             raise first
 
-    async def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
+    async def _raise_posted(self, is_told: Callable[[object], bool]) -> None:
         """Raise the first error of the posted writes of those who are told now, and why a lease has it refused."""
         error = self._take_posted(is_told)
         if error is None:
@@ -404,7 +404,7 @@ class Link(OfLink, Connection):
                 error = explained
         raise error
 
-    def _take_posted(self, is_told: Callable[[Any], bool]) -> UnityLinkError | None:
+    def _take_posted(self, is_told: Callable[[object], bool]) -> UnityLinkError | None:
         """Return the first error of the posted writes of those who are told now, and forget it; None without one."""
         failures = self._posted_failures
         told = [failures.pop(poster) for poster in tuple(failures) if is_told(poster)]
@@ -424,7 +424,7 @@ class Link(OfLink, Connection):
                 self._add_failure(None if poster is None or self._runtime.is_over(poster) else poster, other)
         self._add_failure(failure.poster, failure)
 
-    def _add_failure(self, poster: Any, failure: PostedFailure) -> None:
+    def _add_failure(self, poster: object, failure: PostedFailure) -> None:
         first = self._posted_failures.get(poster)
         added = failure if first is None else first._replace(writes=first.writes + failure.writes)
         self._posted_failures[poster] = added
@@ -497,7 +497,7 @@ class Link(OfLink, Connection):
         """
         return self._post_many_for(self._caller(), addresses, values)
 
-    async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:
+    async def _post_many_for(self, poster: object, addresses: ArrayLike, values: ArrayLike) -> None:
         where, what = self._write_arguments(addresses, values)
         self._whole_count(len(where))
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
@@ -621,7 +621,7 @@ class Link(OfLink, Connection):
 
     # The inside
 
-    async def _ask(self, command: str, *values: Any) -> None:
+    async def _ask(self, command: str, *values: object) -> None:
         """Execute a request that is answered by an acknowledgement."""
         codec = self._session.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
@@ -637,7 +637,7 @@ class Link(OfLink, Connection):
             posted.cancel()
             raise
 
-    async def _post_answered(self, posted: Request | WordBatch, poster: Any) -> None:
+    async def _post_answered(self, posted: Request | WordBatch, poster: object) -> None:
         """Execute writes that are answered, and keep their errors as those of posted ones."""
         try:
             await self._flow.answer(posted)

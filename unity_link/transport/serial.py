@@ -127,7 +127,7 @@ def _transport_class(library: str) -> Any:
             if port.is_pseudo_terminal:
                 self._told["shortest_timeout"] = QUICK_TIMEOUT
 
-        def get_extra_info(self, name: str, default: Any = None) -> Any:
+        def get_extra_info(self, name: str, default: object = None) -> Any:
             """Return what is known of the port."""
             return self._told.get(name, super().get_extra_info(name, default))
 

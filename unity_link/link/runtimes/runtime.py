@@ -59,7 +59,7 @@ class Waiter(Protocol):
     def cancel(self) -> bool:
         """Cancel it, and return whether it was not done before."""
 
-    def set_result(self, result: Any, /) -> None:
+    def set_result(self, result: object, /) -> None:
         """Resume the awaiting call with a result."""
 
     def set_exception(self, exception: BaseException, /) -> None:
@@ -82,7 +82,7 @@ class Timer(Protocol):
 class Job(Protocol):
     """A coroutine that runs beside the calls."""
 
-    def cancel(self) -> Any:
+    def cancel(self) -> object:
         """End it at its next wait."""
 
 
@@ -99,7 +99,7 @@ class Runtime(Protocol):
     def steady(self) -> float:
         """Return the time in seconds of an unadjusted clock: `unadjusted_time`, in models of time the modelled one."""
 
-    def caller(self) -> Any:
+    def caller(self) -> object:
         """Return the task or thread that runs now; None if neither does."""
 
     def is_over(self, caller: Any, /) -> bool:
@@ -114,10 +114,10 @@ class Runtime(Protocol):
     def wake(self) -> None:
         """Resume those who await the futures of lone requests that are done."""
 
-    def call_soon(self, function: Callable[[], object], /) -> Any:
+    def call_soon(self, function: Callable[[], object], /) -> object:
         """Call a function when what runs now waits."""
 
-    def call_soon_threadsafe(self, function: Callable[[], object], /) -> Any:
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> object:
         """Call a function soon; may be called by other threads."""
 
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
@@ -132,10 +132,10 @@ class Runtime(Protocol):
     async def sleep(self, seconds: float) -> None:
         """Wait."""
 
-    def timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+    def timeout(self, seconds: float) -> AbstractAsyncContextManager[object]:
         """Return a context manager that has the block raise TimeoutError after some time."""
 
-    def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+    def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[object]:
         """Return the same for what is done after a cancellation; the block may wait though its task is cancelled."""
 
     async def prepare(self, url: DriverUrl) -> None:
@@ -151,7 +151,7 @@ class Runtime(Protocol):
         """End what one call of `attend` has begun."""
 
 
-def told_now(runtime: Runtime, caller: Any) -> Callable[[Any], bool]:
+def told_now(runtime: Runtime, caller: object) -> Callable[[object], bool]:
     """Return a function that returns whether the errors of a task's writes are raised now, where `caller` asks.
 
     A task gets the errors of its own writes, and those of tasks that are over, which the function gets as None too.

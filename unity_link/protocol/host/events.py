@@ -41,7 +41,7 @@ class PostedFailure(NamedTuple):
     error: UnityLinkError
     writes: int
     """Number of writes."""
-    poster: Any
+    poster: object
     """Task or thread that has posted them."""
 
 

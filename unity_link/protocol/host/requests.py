@@ -265,7 +265,7 @@ class Request(Message, Awaited):
     """
 
     __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "poster", "sent", "waiter")
-    poster: Any
+    poster: object
     """Task or thread that has posted it; of posted writes alone, which reads need not pay for."""
     least = 1
 
