@@ -46,7 +46,7 @@ _LOADER_FLAGS = frozenset(
 _LOADER_VALUE = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_./:-]*")
 
 
-def misuse(data: dict[str, Any], kind: type[msgspec.Struct], before: str = "") -> str:
+def misuse(data: dict[str, object], kind: type[msgspec.Struct], before: str = "") -> str:
     """Return the sentence about the first entry of a table that a structure does not take; empty where it takes all.
 
     Args:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import socket
 from collections import defaultdict
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -141,7 +141,7 @@ def _called(board: FoundBoard) -> str:
     return f"{board.mac} ({board.found.name})" if board.found.name else board.mac
 
 
-def _fields(board: FoundBoard) -> dict[str, Any]:
+def _fields(board: FoundBoard) -> dict[str, object]:
     found = board.found
     return {
         "url": board.url,

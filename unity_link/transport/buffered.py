@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any
 
 HIGH_WATER, LOW_WATER = 65_536, 16_384
 """Unwritten bytes above which the protocol is asked to pause writing, and down to which it may go on."""
@@ -20,7 +19,7 @@ class BufferedTransport(asyncio.Transport):
         extra: what `get_extra_info` tells.
     """
 
-    def __init__(self, protocol: asyncio.Protocol, extra: dict[str, Any] | None = None) -> None:
+    def __init__(self, protocol: asyncio.Protocol, extra: dict[str, object] | None = None) -> None:
         super().__init__(extra)
         self._loop = asyncio.get_running_loop()
         self._protocol = protocol

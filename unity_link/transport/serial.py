@@ -123,7 +123,7 @@ def _transport_class(library: str) -> Any:
 
         def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: SerialPort) -> None:
             super().__init__(loop, protocol, port)
-            self._told: dict[str, Any] = {"set_again": port.set_again}
+            self._told: dict[str, object] = {"set_again": port.set_again}
             if port.is_pseudo_terminal:
                 self._told["shortest_timeout"] = QUICK_TIMEOUT
 

@@ -78,7 +78,7 @@ class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
     round_trips: Histogram
     exact: dict[str, str]
     """Values of whole numbers that are wider than a double, by the paths of their signals."""
-    written: dict[str, Any]
+    written: dict[str, object]
     """Values that pages wrote to signals that nothing samples, by path; signals without a known value are left out."""
 
 
