@@ -171,7 +171,7 @@ def test_names_of_tests_that_are_too_long_are_found(tmp_path: Path) -> None:
 
 
 def test_lines_that_switch_off_a_check_are_counted_in_the_package_only(tmp_path: Path) -> None:
-    source = 'x: Any = f(Any)  # type: ignore[misc]\ny = "noqa"  # noqa: S105  (a word)\nz: Anyone = any(1)\n'
+    source = 'x: Any = f(Any)  # type: ignore[misc]\ny = "noqa"  # noqa: S105  (a word)\nz: Anyone = 1  # Any one.\n'
     for name in ("inside/a.py", "inside/b.txt", "outside.py"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(source)

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 PATTERNS = {
-    "Any": re.compile(r"\bAny\b"),
+    "Any": re.compile(r"\bAny\b(?! [a-z])"),  # not the word of a sentence
     "noqa": re.compile(r"#.*\bnoqa\b"),
     "type: ignore": re.compile(r"#\s*type:\s*ignore\b"),
 }

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
 PATIENCE = 0.5
-"""Seconds in which what is there says something, if it ever does."""
+"""Seconds to wait for an answer of any device."""
 PATIENCE_FOR_A_SPEED = 0.15
 SPEEDS = (115_200, 1_000_000, 921_600, 3_000_000, 12_000_000, 2_000_000, 460_800, 230_400, 57_600, 9_600)
 """Bits a second that are tried, the usual ones first."""

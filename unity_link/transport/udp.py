@@ -272,7 +272,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
             _prepare(self._socket, self._path)
         self._protocol.connection_made(self)
 
-    def datagram_received(self, data: bytes, addr: tuple[object, ...]) -> None:  # noqa: ARG002
+    def datagram_received(self, data: bytes, _: object) -> None:
         """Hand on the frames of datagrams that are neither late nor doubled; end where the session is over."""
         self._heard = True
         frames = self._take(data)

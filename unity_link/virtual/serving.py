@@ -155,7 +155,7 @@ class _Client(asyncio.Protocol):
         if self._served:
             self._counter.gateway.resume_reading()
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
+    def connection_lost(self, _: Exception | None) -> None:
         self._counter.connected.discard(self._transport)
         if self._served:
             self._counter.leave()
