@@ -99,7 +99,7 @@ class Got:
     def look(self, cell: Cell) -> None:
         """Show the value as it is."""
 
-    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
+    def drive(self, cell: Cell, _: int) -> None:
         """Refuse a value of the model.
 
         Raises:
