@@ -1,12 +1,12 @@
-"""What every test shares, those of tests/, of gateware/bench/ and of the documents alike.
+"""Set up all tests: those of tests/, of gateware/bench/ and of the documents.
 
 - The hypothesis profiles: `quick` (the default) keeps the suite short, `pytest --hypothesis-profile=long` searches a
-  hundred times longer. Neither has a deadline, since no test judges a wall-clock time.
-- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run. It leaves alone only
-  what the mark `usb` says to need a module of the kernel, which no package brings to a machine whose kernel has none.
-- The documents are tests. Their blocks of `python` run, those of one document in one namespace. In a block of
-  `console`, each `$ command` runs and must print what stands below it, where `...` is any text. What cannot run
-  everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.
+  hundred times longer. Neither has a deadline, because no test judges a wall-clock time.
+- A skipped test has not passed: `--fail-on-skip` is for machines on which everything must run. It accepts only skips of
+  tests with the mark `usb`, which need a kernel module that some machines lack and no package provides.
+- The documents are tests. The blocks of `python` of one document run in one namespace. In a block of `console`, each
+  `$ command` runs and must print the lines below it; `...` matches any text. Blocks that cannot run everywhere (because
+  they need a board, or do not end) follow `<!-- skip: next -->`, or are blocks of `shell`.
 """
 
 import logging
@@ -26,20 +26,20 @@ from xdist.scheduler import LoadScopeScheduling
 from docs.walkthrough import WALKTHROUGHS, run, typed
 from support.searching import QUICK
 
-# A suite that was started in the background of a script ignores Ctrl-C, one that `nohup` started SIGHUP, and so would
-# the programs that it interrupts.
+# A test run in the background of a script ignores Ctrl-C, one started by `nohup` ignores SIGHUP, and the programs that
+# tests interrupt would inherit that.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
-# Tests start Python a thousand times. Without bytecode each start takes three times as long, so where the machine wants
-# none beside the sources it is kept elsewhere.
+# Tests start Python a thousand times, and each start takes three times as long without bytecode. If the machine forbids
+# bytecode beside the sources, store it in another folder.
 if os.environ.pop("PYTHONDONTWRITEBYTECODE", ""):
     sys.dont_write_bytecode = False
     sys.pycache_prefix = os.environ["PYTHONPYCACHEPREFIX"] = str(Path(__file__).parent / ".cache" / "bytecode")
 
-# The commands that tests run are not those that a shell is to offer.
+# A shell must not offer the commands of tests as completions.
 os.environ["UNITY_LINK_MEMORY"] = ""
 
 settings.register_profile("quick", deadline=None, max_examples=QUICK, suppress_health_check=[HealthCheck.too_slow])
@@ -49,7 +49,7 @@ settings.load_profile("quick")
 
 @pytest.fixture(autouse=True)
 def first_ids(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Have the sessions of this process begin with ID 0, so that tests can say which ID a request has."""
+    """Begin the sessions of this process with ID 0, so that tests can name the ID of a request."""
     monkeypatch.setattr("unity_link.link.connection.choose_seed", lambda: 0)
 
 
@@ -59,10 +59,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Begin with the slow tests, and measure no coverage of them.
+    """Run the slow tests first, and measure no coverage of them.
 
-    Where tests run in several processes, a slow one at the end would have the others wait. What slow tests do quick
-    ones do as well, and coverage would slow them further.
+    A slow test at the end would keep one process busy while the others are idle. Quick tests run the same code as the
+    slow
+    ones, which coverage would slow down further.
     """
     items.sort(key=lambda item: item.get_closest_marker("slow") is None)
     for item in items:
@@ -71,10 +72,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has no types
-    """Gives each test to the process that is free.
+    """Gives each test to an idle process.
 
-    One process has the blocks of a document, which share names, and tests of a file that share much work: the first of
-    them compiles a gateware, which others beside it would compile as well.
+    One process gets all blocks of a document, which share names, and all tests of a file that share a build: the first
+    test
+    compiles a gateware, which other processes would compile as well.
     """
 
     _TOGETHER = (
@@ -97,19 +99,19 @@ class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadScopeScheduling | None:
-    """Return what distributes the tests over processes, unless the command line asks for another way."""
+    """Return the scheduler that assigns tests to processes, unless the command line selects another one."""
     return _Scheduler(config, log) if config.getvalue("dist") == "load" else None
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers() -> int:
-    """Return how many processes `--numprocesses auto` has: one more than processors, since many tests wait."""
+    """Return the number of processes for `--numprocesses auto`: one more than processors, because many tests wait."""
     return (os.cpu_count() or 1) + 1
 
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """Under --fail-on-skip, turn a skip into a failure that gives the reason of the skip."""
+    """With --fail-on-skip, report a skip as a failure that gives the reason of the skip."""
     report = yield
     excused = hasattr(report, "wasxfail") or item.get_closest_marker("usb") is not None
     if report.skipped and not excused and item.config.getoption("--fail-on-skip"):
@@ -119,13 +121,13 @@ def pytest_runtest_makereport(item: pytest.Item) -> Generator[None, pytest.TestR
 
 
 def run_console_block(example: Example) -> None:
-    """Run each `$ command` of a block and compare what it prints with the lines below it."""
+    """Run each `$ command` of a block, and compare its output with the lines below it."""
     for command, expected in typed(example.parsed):
         run(command, expected)
 
 
 def reset_log_levels(namespace: dict[str, object]) -> None:  # noqa: ARG001  (Sybil passes it)
-    """Set the levels of the package's loggers back, because later tests of the process read the log."""
+    """Reset the levels of the package's loggers, because later tests of the process read the log."""
     for name in list(logging.root.manager.loggerDict):
         if name.partition(".")[0] == "unity_link":
             logging.getLogger(name).setLevel(logging.NOTSET)
@@ -134,7 +136,7 @@ def reset_log_levels(namespace: dict[str, object]) -> None:  # noqa: ARG001  (Sy
 pytest_collect_file = Sybil(
     parsers=[PythonCodeBlockParser(), CodeBlockParser("console", run_console_block), SkipParser()],
     patterns=["README.md", "docs/*.md", "docs/**/*.md"],
-    # A walkthrough is followed from an empty folder, by tests/test_walkthroughs.py.
+    # tests/test_walkthroughs.py follows the walkthroughs, each from an empty folder.
     excludes=["docs/_build/**", *WALKTHROUGHS],
     teardown=reset_log_levels,
 ).pytest()

@@ -1,6 +1,6 @@
-"""The blocking face does what the link does, in the threads that call it and without an event loop.
+"""The blocking API does the same as the link, in the threads that call it and without an event loop.
 
-The link's own suite runs on it as well (tests/support/faces.py).
+The tests of links run on it as well (tests/support/faces.py).
 """
 
 import asyncio
@@ -62,13 +62,13 @@ def test_samples_come_by_iteration_in_order() -> None:
     assert all(sample.values.tolist() == [4, 0] for sample in seen)
 
 
-def test_samples_come_when_they_are_asked_for() -> None:
+def test_samples_arrive_on_request() -> None:
     with blocking.connect("sim:") as link, link.subscribe(0x10) as samples:
         samples.publish()
         assert next(iter(samples)).sequence == 0
 
 
-def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_closed(
+def test_closing_the_link_within_a_subscriptions_block_closes_it_too(
     recwarn: pytest.WarningsRecorder,
 ) -> None:
     with blocking.connect("sim:") as link:
@@ -82,7 +82,7 @@ def test_a_subscription_whose_link_is_closed_in_its_block_ends_and_counts_as_clo
 @pytest.mark.parametrize(
     "ask", [lambda samples: [next(samples)], blocking.BlockingSubscription.take], ids=["iterated", "taken"]
 )
-def test_samples_that_came_before_their_link_was_closed_are_given_and_then_its_end(
+def test_samples_received_before_the_link_was_closed_precede_its_error(
     ask: Callable[[blocking.BlockingSubscription], list[unity_link.Sample]],
 ) -> None:
     with blocking.connect("sim:") as link, link.subscribe([0x10]) as samples:
@@ -92,7 +92,7 @@ def test_samples_that_came_before_their_link_was_closed_are_given_and_then_its_e
         samples.publish()
         link.close()
         taken = [sample.sequence for sample in samples.take(2)]
-        with pytest.raises(unity_link.LinkClosedError):  # noqa: PT012  (it comes behind them)
+        with pytest.raises(unity_link.LinkClosedError):  # noqa: PT012  (the error comes after some samples)
             while True:
                 taken += [sample.sequence for sample in ask(samples)]
         assert taken == [1, 2, 3, 4, 5]
@@ -121,7 +121,7 @@ def test_errors_are_those_of_the_link() -> None:
         blocking.connect("tcp://127.0.0.1:1")
 
 
-def test_a_closed_link_says_so_and_leaves_no_thread() -> None:
+def test_closed_link_raises_and_leaves_no_thread() -> None:
     before = threading.active_count()
     link = blocking.connect("sim:")
     link.close()
@@ -168,7 +168,7 @@ except KeyboardInterrupt:
 
 
 def refusing(address: int) -> VirtualGateway:
-    """Return a gateway whose bus refuses every access of an address."""
+    """Return a gateway whose bus refuses every access to an address."""
     gateway = VirtualGateway()
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [address])
     return gateway
@@ -190,7 +190,7 @@ def test_the_end_of_the_block_raises_the_errors_of_posted_writes() -> None:
         link.read(0)
 
 
-def test_each_thread_hears_of_its_own_posted_writes_at_its_own_fence() -> None:
+def test_fence_of_a_thread_raises_for_its_own_posted_writes() -> None:
     posted, heard = threading.Event(), threading.Event()
 
     def post_and_stay(link: blocking.BlockingLink) -> None:
@@ -280,7 +280,7 @@ def test_a_link_that_is_forgotten_is_closed_and_frees_its_port(tmp_path: Path) -
     [
         "with blocking.connect('sim:') as link, link.subscribe(0x10) as samples:\n    say()\n    next(samples)",
         "link = blocking.connect('sim:')\nsamples = link.subscribe(0x10)\nsamples.__enter__()\nsay()\nnext(samples)",
-        # The first call imports numpy, and the interpreter loses a Ctrl-C in some instants of an import.
+        # Read once before: the first call imports numpy, and the interpreter may lose a Ctrl-C during an import.
         (
             "with blocking.connect(SlowLine(VirtualGateway(), 5000)) as link:\n"
             "    link.read_queue(0, 1)\n    say()\n    link.read_queue(0, 5000)"
@@ -315,7 +315,7 @@ def test_calls_of_other_threads_learn_that_the_link_was_closed() -> None:
             samples.publish()
 
 
-def test_a_callback_that_calls_the_link_is_told_that_it_must_not() -> None:
+def test_callback_that_calls_the_link_gets_an_error() -> None:
     told: list[BaseException] = []
     with blocking.connect("sim:") as link:
 
@@ -333,7 +333,7 @@ def test_a_callback_that_calls_the_link_is_told_that_it_must_not() -> None:
 
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[tuple[VirtualGateway, str]]:
-    """Return a gateway in the loop of another thread, and the URL of its Unix socket."""
+    """Serve a gateway in the event loop of another thread; yield it with the URL of its Unix socket."""
     gateway = VirtualGateway()
     with start_blocking_portal() as portal:
         serving = serve_unix(gateway, tmp_path / "gateway")
@@ -345,7 +345,7 @@ def threads_of_links() -> list[str]:
     return [thread.name for thread in threading.enumerate() if thread.name.startswith("unity_link")]
 
 
-def test_only_a_subscription_has_a_thread(served: tuple[VirtualGateway, str]) -> None:
+def test_only_subscriptions_have_a_thread(served: tuple[VirtualGateway, str]) -> None:
     with blocking.connect(served[1]) as link:
         link.write(0x10, 4)
         assert threads_of_links() == []
@@ -365,7 +365,7 @@ def test_samples_are_taken_while_the_program_does_something_else(served: tuple[V
     assert [sample.sequence for sample in taken] == list(range(1000))
 
 
-def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp_path: Path) -> None:
+def test_take_returns_the_requested_number_of_samples_or_fewer_at_the_end(tmp_path: Path) -> None:
     with contextlib.ExitStack() as stack:
         portal = stack.enter_context(start_blocking_portal())
         serving = stack.enter_context(contextlib.ExitStack())
@@ -380,7 +380,7 @@ def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp
         deadline = time.monotonic() + 60
         while samples.received < 100 and time.monotonic() < deadline:
             time.sleep(0.01)
-        # All that wait are fetched at once, and the link ends before the others are asked for.
+        # The first call takes all received samples at once; then the link ends, before the test asks for the others.
         assert next(samples).sequence == 0
         waiting = len(samples._samples)
         assert waiting
@@ -391,7 +391,7 @@ def test_as_many_samples_are_taken_as_are_asked_for_and_fewer_where_they_end(tmp
             samples.take(1)
 
 
-def test_calls_go_on_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
+def test_calls_work_while_another_thread_waits_for_a_sample(served: tuple[VirtualGateway, str]) -> None:
     with (
         blocking.connect(served[1]) as link,
         link.subscribe([0x10], divisor=None) as samples,
@@ -491,7 +491,7 @@ with blocking.connect(sys.argv[1]) as link:
     assert (result.stdout, result.stderr) == ("True\n", "")
 
 
-def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGateway, str]) -> None:
+def test_link_dropped_by_its_own_callback_is_closed(served: tuple[VirtualGateway, str]) -> None:
     kept: list[object] = []
 
     def forget(_: object) -> None:
@@ -500,7 +500,7 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
     link = blocking.connect(served[1])
     samples = link.subscribe([0x10], rate_hz=100, callback=forget)
     samples.__enter__()
-    with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031  (threads end in it)
+    with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031  (threads end within the block)
         kept += [link, samples]
         del link, samples
         deadline = time.monotonic() + 60
@@ -510,7 +510,7 @@ def test_a_link_that_its_own_callback_forgets_is_closed(served: tuple[VirtualGat
     assert threads_of_links() == []
 
 
-def test_a_job_that_is_cancelled_keeps_nothing_of_the_call_in_which_that_happened() -> None:
+def test_cancelled_job_keeps_no_reference_to_the_call_that_cancelled_it() -> None:
     class Argument:
         pass
 
@@ -555,7 +555,7 @@ def test_a_call_in_flight_learns_at_once_that_the_connection_was_lost(tmp_path: 
             writing = threads.submit(link.write_block, 0, range(200))
             while not link.statistics.in_flight:
                 time.sleep(0.001)
-        # The gateway does not come back, so the connection is being opened again all the time.
+        # The gateway does not return, so that the link keeps reconnecting.
         with pytest.raises(unity_link.LinkLostError):
             writing.result(60)
         link.close()
@@ -578,7 +578,7 @@ def test_a_block_that_fills_every_buffer_is_written_whole(served: tuple[VirtualG
         assert link.read_block(0, 256).tolist()[words[-1] and (len(words) - 1 & 0xFF)] == words[-1]
 
 
-def test_a_link_works_where_an_event_loop_is_running(served: tuple[VirtualGateway, str]) -> None:
+def test_blocking_link_works_beside_a_running_event_loop(served: tuple[VirtualGateway, str]) -> None:
     async def as_in_a_notebook() -> int:
         with blocking.connect(served[1]) as link, blocking.connect("sim:") as simulated:
             simulated.write(1, 3)
@@ -587,7 +587,7 @@ def test_a_link_works_where_an_event_loop_is_running(served: tuple[VirtualGatewa
     assert asyncio.run(as_in_a_notebook()) == 3
 
 
-def test_nobody_who_answers_is_an_error_after_the_time_that_was_given() -> None:
+def test_port_without_a_gateway_is_an_error_after_the_time_out() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         port = server.getsockname()[1]
         with pytest.raises(unity_link.ConnectError, match=r"no gateway answered at tcp://.* within 0\.1 s"):
@@ -595,14 +595,14 @@ def test_nobody_who_answers_is_an_error_after_the_time_that_was_given() -> None:
     assert threads_of_links() == []
 
 
-def test_what_passes_is_in_a_snoop(served: tuple[VirtualGateway, str], tmp_path: Path) -> None:
+def test_snoop_of_a_blocking_link_has_its_frames(served: tuple[VirtualGateway, str], tmp_path: Path) -> None:
     snoop = tmp_path / "snoop.pcapng"
     with blocking.connect(f"{served[1]}?snoop={snoop}") as link:
         link.write(0x0A, 0x12)
     assert snoop.stat().st_size > 200
 
 
-def test_a_subscription_without_its_block_says_what_to_write() -> None:
+def test_subscription_without_a_block_is_an_error_that_asks_for_with() -> None:
     with blocking.connect("sim:") as link:
         samples = link.subscribe([0x10], rate_hz=100)
         with pytest.raises(unity_link.ArgumentError, match="`with` in blocking code"):

@@ -1,6 +1,6 @@
-"""A blocking link comes back from the loss of its gateway, whichever threads notice the loss, reconnect and call.
+"""A blocking link reconnects after the loss of its gateway, whichever threads notice the loss, reconnect and call.
 
-The gateways are processes that are killed, and those that follow them at the same address.
+The gateways are processes. The test kills them, and starts new ones at the same address.
 """
 
 from __future__ import annotations
@@ -65,7 +65,7 @@ CALLS: dict[str, Callable[[BlockingLink], object]] = {
 
 
 class Attempts(logging.Handler):
-    """Counts the attempts to connect again that failed, by the thread that made them."""
+    """Counts failed attempts to reconnect, with the names of their threads."""
 
     def __init__(self) -> None:
         super().__init__(logging.INFO)
@@ -79,7 +79,7 @@ class Attempts(logging.Handler):
                 self._changed.notify_all()
 
     def wait_for(self, count: int) -> None:
-        """Wait for so many more attempts."""
+        """Wait for `count` more attempts."""
         with self._changed:
             count += len(self.threads)
             assert self._changed.wait_for(lambda: len(self.threads) >= count, 60)
@@ -104,7 +104,7 @@ def test_a_call_waits_for_a_gateway_whose_retries_go_on_in_another_thread(
     with start_blocking_portal() as portal, ThreadPoolExecutor(2) as threads:
         with portal.wrap_async_context_manager(serve_unix(gateway, path)) as url:
             link = blocking.connect(url, reconnect=PAUSES)
-        # A thread of its own notices the loss, and is over before the link is back.
+        # Another thread notices the loss, and ends before the link has reconnected.
         with pytest.raises(unity_link.LinkLostError):
             threads.submit(link.write, 1, 1).result(60)
         attempts.wait_for(2)
@@ -123,11 +123,11 @@ def test_every_call_that_waits_for_a_gateway_was_tried() -> None:
     assert waiting - {"close", "gateway", "statistics"} == set(CALLS)
 
 
-def test_an_interruption_while_a_connection_is_opened_again_ends_the_call_and_not_the_reconnection(
+def test_interruption_of_a_reconnecting_call_ends_only_the_call(
     tmp_path: Path, attempts: Attempts, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     class InterruptionError(TimeoutError):
-        """One of the program's own, which a driver would take for its own, too."""
+        """An error of the program that is a kind of TimeoutError, as the errors of drivers are."""
 
     gateway, path = VirtualGateway(), tmp_path / "gateway"
     opening = threading.Event()
@@ -166,7 +166,7 @@ def test_an_interruption_while_a_connection_is_opened_again_ends_the_call_and_no
 
 
 class Killed:
-    """A gateway in a process of its own.
+    """A gateway in its own process, which the test can kill.
 
     Args:
         path: of its socket.
@@ -219,14 +219,14 @@ def _by_a_read_that_is_given_up(link: BlockingLink) -> None:
 
 
 WAYS = (_by_a_write, _in_a_thread, _by_a_read_that_is_given_up)
-"""Ways by which a program may learn that its gateway is away."""
+"""Ways in which a program may notice that its gateway has left."""
 
 
 @pytest.mark.parametrize(
     "kills",
     [pytest.param(6, marks=pytest.mark.slow), pytest.param(100, marks=[pytest.mark.campaign, pytest.mark.slow])],
 )
-def test_a_link_comes_back_from_every_kill_of_its_gateway(kills: int, tmp_path: Path, attempts: Attempts) -> None:
+def test_link_reconnects_after_every_kill_of_its_gateway(kills: int, tmp_path: Path, attempts: Attempts) -> None:
     gateway = Killed(tmp_path / "gateway")
     gateway.begin()
     with contextlib.ExitStack() as stack:
@@ -237,7 +237,7 @@ def test_a_link_comes_back_from_every_kill_of_its_gateway(kills: int, tmp_path: 
             notice(link)
             attempts.wait_for(2)
             with ThreadPoolExecutor(2) as threads:
-                # Here retries go on while other threads wait for the gateway, and more than one.
+                # Two or more retries pass while other threads wait for the gateway.
                 reading = [threads.submit(link.read, 2) for _ in range(2)]
                 attempts.wait_for(2)
                 gateway.begin()

@@ -1,4 +1,4 @@
-"""`make check` runs the tests of what a change touches, and no others."""
+"""`make check` runs the tests of the changed files, and no others."""
 
 import subprocess
 from pathlib import Path
@@ -57,7 +57,7 @@ def test_the_tests_of_a_part_are_among_those_that_run(file: str, test: str) -> N
     assert not {"tests/bridges", "tests/virtual", "tests/generate", "tests/link", "tests/protocol"} & set(found)
 
 
-def test_every_room_of_the_package_has_tests() -> None:
+def test_every_package_and_module_has_tests() -> None:
     folders = [path for path in (ROOT / "unity_link").iterdir() if (path / "__init__.py").exists()]
     files = [path for path in (ROOT / "unity_link").glob("*.py") if not path.name.startswith("__")]
     for path in (*folders, *files):
@@ -65,14 +65,14 @@ def test_every_room_of_the_package_has_tests() -> None:
         assert set(found) - set(check.ALWAYS) or path.name == "gateware", path
 
 
-def test_tests_that_take_long_and_those_of_compiled_gateware_are_left_out_unless_that_has_changed() -> None:
+def test_slow_tests_and_those_of_unchanged_compiled_gateware_are_left_out() -> None:
     assert (
         check.marks_of(["unity_link/protocol/window/window.py"]) == "not slow and not campaign and not usb and not rtl"
     )
     assert check.marks_of(["gateware/rtl/unity_link.vhd"]) == "not slow and not campaign and not usb"
 
 
-def test_a_folder_takes_in_its_files() -> None:
+def test_folder_replaces_its_files() -> None:
     found = check.tests_of(["tests/link/conftest.py", "tests/link/test_life.py"])
     assert set(found) - set(check.ALWAYS) == {"tests/link"}
 
@@ -99,7 +99,7 @@ def commit(folder: Path, name: str) -> None:
     git(folder, "commit", "-q", "-m", name)
 
 
-def test_on_main_the_last_commit_and_what_is_not_committed_are_the_change(repository: Path) -> None:
+def test_change_on_main_is_the_last_commit_and_uncommitted_work(repository: Path) -> None:
     (repository / "first").write_text("otherwise")
     (repository / "né w").write_text("")
     assert check.changed_files() == ["first", "né w", "second"]

@@ -1,4 +1,4 @@
-"""The lexer of the pages has a colour for each token of a valid spec, and no page shows a spec without."""
+"""The lexer of the pages has a colour for each token of a valid spec, and each page shows its specs with this lexer."""
 
 import re
 from pathlib import Path
@@ -21,7 +21,7 @@ IN_PAGES = [block.text for page in PAGES for block in blocks(page) if block.lang
 
 
 def coloured(text: str) -> list[tuple[object, str]]:
-    """Return the tokens of a spec that are no space, each with its text."""
+    """Return the tokens of a spec other than spaces, each with its text."""
     made = list(UlLexer(ensurenl=False, stripnl=False).get_tokens(text))
     assert "".join(value for _, value in made) == text
     return [(token, value) for token, value in made if token is not Token.Text]
@@ -69,7 +69,7 @@ def test_kinds_are_those_of_the_language() -> None:
     assert set(KINDS) == set(PLAIN_KINDS)
 
 
-def test_what_is_no_token_is_an_error() -> None:
+def test_invalid_token_is_an_error() -> None:
     assert (Error, "$") in coloured("public $ robot")
 
 

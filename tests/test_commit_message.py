@@ -61,7 +61,7 @@ def test_git_refuses_a_long_subject_once_the_hook_is_installed(repository: Path)
     assert git(repository, "worktree", "add", "-q", "other").returncode == 0
     other = repository / "other"
     assert install(other).startswith("Wrote ")
-    # A revision without the script, as in this work tree, has no check.
+    # A revision without the script, as in this checkout, is not checked.
     assert git(other, "commit", "--allow-empty", "-m", "x" * 73).returncode == 0
 
 

@@ -1,4 +1,4 @@
-"""External tools and temporary folders end with their program; files of the cache that were cut are made anew."""
+"""External tools and temporary folders end with their program; incomplete files of the cache are made again."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_neither_tools_nor_folders_outlive_a_program_that_a_signal_ends(way: str
         assert (folder / "file").exists()
         program.send_signal(signal.Signals[way])
         assert program.wait() != 0
-    # Not to wait for ever if a process is left: the end of all writers is the end of the file.
+    # Wait with a time-out: the pipe ends only when no process is left that has it open.
     assert select.select([watch], [], [], 60)[0]
     assert os.read(watch, 1) == b""
     os.close(watch)
@@ -92,7 +92,7 @@ def test_an_error_about_a_file_elsewhere_is_not_one_of_the_folder(tmp_path: Path
 
 
 def limited(folder: Path, blocks: int, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """Run a command no file of which may become longer than so many blocks of 512 bytes, as on a full disk."""
+    """Run a command whose files may have at most `blocks` blocks of 512 bytes, as on a full disk."""
     (folder / "blinking.ul").write_text(SPEC)
     environment = {**os.environ, "XDG_CACHE_HOME": str(folder / "cache"), "TMPDIR": str(folder)}
     limit = ["sh", "-c", f'ulimit -f {blocks}; exec "$@"', "sh"]
@@ -139,7 +139,7 @@ def test_sealed_data_are_whole_and_cut_or_changed_data_are_not(
         assert not cache.is_whole(path) or damaged == sealed
 
 
-def test_a_text_of_the_cache_that_was_cut_is_made_anew(tmp_path: Path) -> None:
+def test_incomplete_text_in_the_cache_is_made_again(tmp_path: Path) -> None:
     path = tmp_path / "netlist.json"
     assert cache.kept(path, lambda: "{}") == "{}"
     assert cache.kept(path, lambda: "another") == "{}"
@@ -148,7 +148,7 @@ def test_a_text_of_the_cache_that_was_cut_is_made_anew(tmp_path: Path) -> None:
     assert cache.kept(path, lambda: "another") == "another"
 
 
-def test_verilog_of_the_cache_that_was_cut_is_converted_anew(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_incomplete_verilog_in_the_cache_is_converted_again(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     tools = cache.cache_folder("tools")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     (tmp_path / "unity-link").mkdir()
@@ -159,7 +159,7 @@ def test_verilog_of_the_cache_that_was_cut_is_converted_anew(monkeypatch: pytest
     assert to_verilog("ul_synchroniser").read_bytes() == whole
 
 
-def test_what_fetches_ghdl_reports_a_full_disk_and_not_that_something_failed(tmp_path: Path) -> None:
+def test_full_disk_while_ghdl_is_downloaded_is_reported_as_such(tmp_path: Path) -> None:
     script = (
         "echo 'Err:1 x Error writing to file - write (28: No space left on device)'; echo 'E: Some index files' >&2"
     )
@@ -169,9 +169,7 @@ def test_what_fetches_ghdl_reports_a_full_disk_and_not_that_something_failed(tmp
         ghdl._call(["sh", "-c", f"{script}; exit 100"], tmp_path)
 
 
-def test_fetching_ghdl_reports_a_disk_without_room_for_its_lists(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
+def test_full_disk_for_the_package_lists_of_ghdl_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     work = tmp_path / "work"
     work.mkdir()
     monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=57_344))

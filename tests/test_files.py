@@ -1,4 +1,4 @@
-"""Files of commands are never in the place of what Unity-Link did not make, unless the user says so."""
+"""Commands never replace files that Unity-Link did not make, unless the user allows it."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ COMMANDS = {
 
 
 def said_by(words: str) -> tuple[str, str]:
-    """Run a command in this process; return what it said of an error, and its kind."""
+    """Run a command in this process; return the text of its error, and the name of the error's class."""
     result = CliRunner().invoke(app, words.split())
     error = result.exception
     return (str(error), type(error).__name__) if error and not isinstance(error, SystemExit) else ("", "")
@@ -68,7 +68,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def here(tmp_path: Path, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder with what commands make files of, in which they run."""
+    """Create the input files of commands in a folder, and change to that folder."""
     (tmp_path / "rover.ul").write_text(ROVER)
     (tmp_path / "rover.rdl").write_text(RDL)
     shutil.copy(recorded, tmp_path / "run.mcap")
@@ -78,7 +78,7 @@ def here(tmp_path: Path, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
-def test_a_command_runs_twice_and_replaces_no_file_that_is_not_its_own(command: str, here: Path) -> None:
+def test_command_replaces_its_own_files_and_no_other(command: str, here: Path) -> None:
     given = contents()
     assert said_by(command) == ("", "")
     made = contents()
@@ -114,7 +114,7 @@ def test_the_model_beside_a_spec_survives_each_target(here: Path) -> None:
     assert here.is_dir()
 
 
-def test_several_files_in_the_way_are_told_together(here: Path) -> None:
+def test_several_existing_files_are_reported_together(here: Path) -> None:
     for name in ("rover.h", "rover.c", "unity_link.h", "unity_link.c", "unity_link_posix.c"):
         Path(name).write_bytes(MINE)
 
@@ -125,7 +125,7 @@ def test_several_files_in_the_way_are_told_together(here: Path) -> None:
     assert here.is_dir()
 
 
-def test_what_was_generated_of_another_spec_is_replaced(here: Path) -> None:
+def test_files_generated_from_another_spec_are_replaced(here: Path) -> None:
     said_by("generate c rover.ul")
     Path("rover.ul").write_text(ROVER.replace("= 1", "= 2"))
     before = contents()
@@ -138,7 +138,7 @@ def test_what_was_generated_of_another_spec_is_replaced(here: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("answer", "replaced"), [("y", True), ("n", False), ("", False)])
-def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -> None:
+def test_user_at_a_terminal_is_asked_before_a_file_is_replaced(answer: str, *, replaced: bool, here: Path) -> None:
     Path("rover.py").write_bytes(MINE)
     keyboard, screen = pty.openpty()
     os.write(keyboard, f"{answer}\n".encode())
@@ -159,7 +159,7 @@ def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -
     assert here.is_dir()
 
 
-# What may go.
+# Files that may be replaced
 
 
 @pytest.mark.parametrize(
@@ -176,9 +176,7 @@ def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -
         (b"\xff\x00\x1b" * 5000, False),
     ],
 )
-def test_a_file_is_known_by_its_first_lines_or_by_what_is_to_be_written(
-    content: bytes, *, goes: bool, tmp_path: Path
-) -> None:
+def test_own_file_is_recognised_by_its_mark_or_by_equal_contents(content: bytes, *, goes: bool, tmp_path: Path) -> None:
     path = tmp_path / "x"
     path.write_bytes(content)
 
@@ -205,12 +203,12 @@ def test_a_file_that_cannot_be_read_stays(tmp_path: Path) -> None:
     assert path.read_bytes() == OURS
 
 
-def test_what_has_no_mark_is_known_by_the_list_beside_it_until_it_is_changed(tmp_path: Path) -> None:
+def test_file_without_a_mark_is_recognised_by_the_list_until_it_changes(tmp_path: Path) -> None:
     write_texts({"a.vhd": "one\n", "b/c.f": "two\n", "d.py": OURS.decode()}, tmp_path)
     done = subprocess.run(["sha256sum", "-c", LIST], cwd=tmp_path, capture_output=True, text=True, check=True)
     assert done.stdout.splitlines() == ["a.vhd: OK", "b/c.f: OK"]
 
-    # As of a later version.
+    # Write other contents, as a later version would.
     write_texts({"a.vhd": "three\n", "b/c.f": "two\n"}, tmp_path)
     assert (tmp_path / "a.vhd").read_text() == "three\n"
 
@@ -220,7 +218,7 @@ def test_what_has_no_mark_is_known_by_the_list_beside_it_until_it_is_changed(tmp
     assert [(tmp_path / name).read_text() for name in ("a.vhd", "b/c.f")] == ["three\n", "mended by hand\n"]
 
 
-def test_a_list_that_somebody_else_made_vouches_for_nothing(tmp_path: Path) -> None:
+def test_list_without_its_mark_identifies_no_file_as_ours(tmp_path: Path) -> None:
     write_texts({"a.vhd": "one\n"}, tmp_path)
     (tmp_path / LIST).write_text("\n".join((tmp_path / LIST).read_text().splitlines()[1:]))
 
@@ -228,7 +226,7 @@ def test_a_list_that_somebody_else_made_vouches_for_nothing(tmp_path: Path) -> N
         write_texts({"a.vhd": "two\n"}, tmp_path)
 
 
-def test_what_came_while_a_file_was_being_made_stays(tmp_path: Path) -> None:
+def test_file_that_appears_during_writing_is_kept(tmp_path: Path) -> None:
     path = tmp_path / "x"
 
     def write() -> None:
@@ -243,7 +241,7 @@ def test_what_came_while_a_file_was_being_made_stays(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_where_the_last_of_several_cannot_get_its_name_none_has_one(tmp_path: Path) -> None:
+def test_no_file_is_written_if_one_of_several_cannot_be_renamed(tmp_path: Path) -> None:
     def write() -> None:
         with Writing(overwrite=True) as writing:
             (tmp_path / "b").write_bytes(MINE)
@@ -271,7 +269,7 @@ def test_the_name_of_a_file_is_not_taken_for_that_of_a_folder(command: str, here
     assert here.is_dir()
 
 
-# Links, devices and modes.
+# Links, devices and modes
 
 
 def test_a_link_stays_and_the_file_at_its_end_is_replaced(tmp_path: Path) -> None:
@@ -288,7 +286,7 @@ def test_a_link_stays_and_the_file_at_its_end_is_replaced(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize("content", [MINE, None], ids=["to a file", "to nothing"])
-def test_nothing_is_written_through_a_link_to_what_is_not_our_own(content: bytes | None, tmp_path: Path) -> None:
+def test_symbolic_link_to_a_users_file_is_refused(content: bytes | None, tmp_path: Path) -> None:
     target, link = tmp_path / "mine", tmp_path / "rover.py"
     if content is not None:
         target.write_bytes(content)
@@ -318,7 +316,7 @@ def test_a_link_at_the_temporary_name_is_not_written_through(tmp_path: Path, mon
     assert not (tmp_path / "x").exists()
 
 
-def test_temporary_names_are_told_by_nothing(tmp_path: Path) -> None:
+def test_temporary_names_cannot_be_predicted(tmp_path: Path) -> None:
     names = set()
     for _ in range(2):
         with Writing() as writing:
@@ -350,7 +348,7 @@ def test_the_mode_of_a_file_and_that_of_a_new_one_are_as_the_user_wants_them(tmp
 
 
 @pytest.mark.parametrize("interrupt", [KeyboardInterrupt, OSError])
-def test_what_is_interrupted_leaves_nothing(interrupt: Callable[[], BaseException], tmp_path: Path) -> None:
+def test_interrupted_writing_leaves_nothing(interrupt: Callable[[], BaseException], tmp_path: Path) -> None:
     def stopped() -> None:
         with Writing() as writing:
             writing.open(tmp_path / "new" / "folder" / "x").close()
@@ -363,6 +361,6 @@ def test_what_is_interrupted_leaves_nothing(interrupt: Callable[[], BaseExceptio
 
 
 def test_each_example_is_a_users_file() -> None:
-    # An example that was made by a command would be replaced by it.
+    # A command may replace files that it has made, so no example may carry the mark of a generated file.
     assert not any(has_mark(path) for path in EXAMPLES.iterdir() if path.is_file())
     assert not is_marked((EXAMPLES.parent / "README.md").read_bytes())

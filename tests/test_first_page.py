@@ -1,4 +1,4 @@
-"""The first page shows what this is, a picture, how to install it and ten lines of program, without scrolling."""
+"""The first page shows a description, a picture, the installation and a program of ten lines, without scrolling."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MISSING = "suppress_warnings=toc.not_readable,toc.excluded,myst.xref_missing"
 
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return the first page as HTML, of a book of which all other pages are missing."""
+    """Return the first page as HTML, from a book without other pages."""
     source, made = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("made")
     shutil.copy(DOCS / "index.md", source)
     shutil.copy(DOCS / "conf.py", source)
@@ -36,7 +36,7 @@ def test_the_picture_moves_without_a_script() -> None:
 
 
 @pytest.mark.slow
-def test_all_that_a_newcomer_looks_for_is_on_the_screen(page: Path) -> None:
+def test_first_screen_has_everything_that_a_newcomer_needs(page: Path) -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         window = browser.new_page(viewport={"width": 1280, "height": 800})

@@ -1,4 +1,4 @@
-"""A process that is forked from one with links leaves those alone, and is told at once that they are not its own."""
+"""A process forked from one with links does not use them; each use raises an error at once."""
 
 from __future__ import annotations
 
@@ -90,9 +90,7 @@ SENTENCE = "child: this process was forked from the one that opened the link: op
     [("blocking", "exit"), ("blocking", "forgotten"), ("blocking", "at once"), ("asyncio", ""), ("trio", "")],
 )
 @pytest.mark.parametrize("medium", ["unix", "tcp", "sim"])
-def test_a_child_leaves_the_link_of_its_parent_alone_and_is_refused_at_once(
-    face: str, end: str, medium: str, tmp_path: Path
-) -> None:
+def test_child_process_cannot_use_the_link_of_its_parent(face: str, end: str, medium: str, tmp_path: Path) -> None:
     with start_blocking_portal() as portal:
         gateway = VirtualGateway()
         serving = serve_tcp(gateway, 0) if medium == "tcp" else serve_unix(gateway, tmp_path / "gateway")

@@ -1,4 +1,4 @@
-"""Numbers that a program gives: NaN, infinities and what fits no field are refused by the call that takes them."""
+"""A call refuses NaN, infinities and numbers beyond its field."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ public robot() {
 Robot = unity_link.load(SPEC)
 NO_NUMBERS: list[Any] = [math.nan, math.inf, -math.inf, np.float64("nan"), np.float32("inf"), "1", 1j, [[]]]
 HUGE: list[Any] = [10**400, -(10**400), 10**5000, -(10**5000), Fraction(10**400), 1e308, np.float64(-1e308), -(2**70)]
-"""Python writes no number of 5,001 digits, in an error neither."""
+"""Numbers beyond every field. Python cannot convert a number of 5,001 digits to text, in an error message neither."""
 
 
 async def shifted(robot: Any, seconds: Any) -> None:
@@ -103,7 +103,7 @@ CALLS: dict[str, Callable[[Any, Any], Any]] = {
 
 
 async def tried(call: Callable[[Any, Any], Any], robot: Any, given: Any) -> str:
-    """Return what an ArgumentError says; a call may return a coroutine that raises it."""
+    """Return the text of the ArgumentError that a call, or the coroutine that it returns, raises."""
 
     async def make() -> None:
         made = call(robot, given)
@@ -117,7 +117,7 @@ async def tried(call: Callable[[Any, Any], Any], robot: Any, given: Any) -> str:
 
 @pytest.mark.parametrize("name", CALLS)
 @on_simulated_time
-async def test_what_is_no_number_or_fits_no_field_is_refused(name: str) -> None:
+async def test_values_that_are_no_numbers_or_fit_no_field_are_refused(name: str) -> None:
     async with unity_link.connect(simulated(SPEC.interface())) as link:
         robot = Robot(link)
         requests = link.statistics.requests
@@ -125,12 +125,12 @@ async def test_what_is_no_number_or_fits_no_field_is_refused(name: str) -> None:
             if name in {"an enumeration", "a subscription"} and isinstance(given, str):
                 continue
             assert "\n" not in await tried(CALLS[name], robot, given)
-        # Nothing is sent; a delay is refused in the block of a timeline.
+        # No request is sent, except in a timeline, which refuses a delay within its block.
         assert link.statistics.requests == requests or name == "a delay"
 
 
 @on_simulated_time
-async def test_a_float_signal_takes_each_number_that_its_bits_say() -> None:
+async def test_float_signal_accepts_each_number_of_its_format() -> None:
     async with unity_link.connect(simulated(SPEC.interface())) as link:
         robot: Any = Robot(link)
         for given in (math.inf, -math.inf, 1e38, np.float64("inf"), Decimal("Infinity")):
@@ -165,5 +165,5 @@ async def test_a_time_of_this_machine_or_a_sample_is_a_number_of_seconds() -> No
     ],
     ids=["a whole number", "a fraction", "a text", "NaN", "None"],
 )
-def test_an_error_shows_what_was_given_in_eighty_characters(given: object, text: str) -> None:
+def test_error_shows_the_given_value_in_eighty_characters(given: object, text: str) -> None:
     assert shown(given) == text

@@ -1,4 +1,4 @@
-"""The page of the Python interface has all of it: each name that is exported, and each public member of it."""
+"""The page of the Python interface describes each exported name, and each public member of it."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ PAGE = DOCS / "reference" / "api.md"
 
 @pytest.fixture(scope="module")
 def shown(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, set[str]]:
-    """Return the page as HTML, and the names of all that it describes."""
+    """Return the page as HTML, and all names that it describes."""
     source, made = tmp_path_factory.mktemp("source"), tmp_path_factory.mktemp("made")
     shutil.copy(PAGE, source / "index.md")
     shutil.copy(DOCS / "conf.py", source)
-    # Links to other pages lead nowhere here.
+    # The other pages are missing, so links to them lead nowhere.
     options = ["-q", "-D", "suppress_warnings=myst.xref_missing", "-W"]
     subprocess.run([sys.executable, "-m", "sphinx", *options, str(source), str(made)], cwd=DOCS.parent, check=True)
     inventory = InventoryFile.loads((made / "objects.inv").read_bytes(), uri="")
@@ -37,7 +37,7 @@ def shown(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, set[str]]:
 
 
 def members(kind: type) -> Iterator[str]:
-    """Yield the public members that classes of the package give a class, those that it sets when it is made too."""
+    """Yield the public members that a class has from classes of the package, also the attributes set by `__init__`."""
     for base in kind.__mro__:
         if not base.__module__.startswith("unity_link"):
             continue
@@ -52,7 +52,7 @@ def members(kind: type) -> Iterator[str]:
 
 
 @pytest.mark.slow
-def test_all_that_is_exported_is_on_the_page(shown: tuple[str, set[str]]) -> None:
+def test_every_exported_name_is_on_the_page(shown: tuple[str, set[str]]) -> None:
     _, names = shown
     assert {f"unity_link.{name}" for name in unity_link.__all__} - names == set()
 
@@ -72,7 +72,7 @@ def test_each_public_member_is_on_the_page(name: str, shown: tuple[str, set[str]
     assert expected - inherited - names == set()
 
 
-def test_open_comes_first_and_errors_last_and_nothing_of_the_inside(shown: tuple[str, set[str]]) -> None:
+def test_page_begins_with_open_ends_with_errors_and_has_no_internals(shown: tuple[str, set[str]]) -> None:
     page, names = shown
     order = ("connect", "load", "Link", "Feature", "UnityLinkError")
     places = [page.index(f'id="unity_link.{name}"') for name in order]

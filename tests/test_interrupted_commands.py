@@ -45,11 +45,11 @@ QUICK_COMMANDS = {
 }
 COMMANDS = TOOL_COMMANDS | QUICK_COMMANDS
 LONGEST = {"build": 90.0, "generate verilog": 60.0, "rtl": 60.0}
-"""Seconds within which the campaign sends its signals; for all others 3."""
+"""Seconds within which the campaign sends its signals; 3 for all other commands."""
 
 
 def interrupted(folder: Path, name: str, draw: random.Random, longest: float) -> Left:
-    """Send a signal to a command; early instants, at which more begins, are as likely as late ones."""
+    """Send a signal to a command at a random instant, early instants more often, because more work begins then."""
     place = Place(folder)
     (place.work / "blinking.ul").write_text(BLINKING)
     after = math.exp(draw.uniform(math.log(0.2), math.log(longest)))
@@ -63,7 +63,7 @@ def left_nothing(left: Left) -> bool:
 @pytest.mark.slow
 @pytest.mark.timeout(900)
 @pytest.mark.parametrize("name", TOOL_COMMANDS)
-def test_a_command_with_tools_leaves_nothing_behind_at_a_signal(name: str, tmp_path: Path) -> None:
+def test_command_with_tools_leaves_nothing_at_a_signal(name: str, tmp_path: Path) -> None:
     draw = random.Random(name)
     for turn in range(20):
         left = interrupted(tmp_path / str(turn), name, draw, 5.0)
@@ -72,7 +72,7 @@ def test_a_command_with_tools_leaves_nothing_behind_at_a_signal(name: str, tmp_p
 
 @pytest.mark.campaign
 @pytest.mark.parametrize("seed", range(40))
-def test_no_command_leaves_anything_behind_at_a_signal(seed: int, tmp_path: Path) -> None:
+def test_no_command_leaves_anything_at_a_signal(seed: int, tmp_path: Path) -> None:
     draw = random.Random(seed)
     for turn in range(25):
         name = draw.choice(list(COMMANDS))

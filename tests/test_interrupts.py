@@ -1,4 +1,4 @@
-"""Signal handlers that raise, at any instant: no code of a link is interrupted, so the `finally` of a program writes.
+"""Signal handlers that raise an exception at any instant never interrupt the code of a link; `finally` can still write.
 
 Signals come from another process, as a terminal and `kill` send them, and at each instant of a call at which the
 interpreter could run a handler.
@@ -51,12 +51,12 @@ PATIENCE = 60.0
 
 
 class StoppedError(BaseException):
-    """Raised by a handler."""
+    """The exception that the handler raises."""
 
 
 @pytest.fixture
 def url(tmp_path: Path) -> Iterator[str]:
-    """Return the URL of a robot in the event loop of another thread."""
+    """Serve a robot in the event loop of another thread; yield its URL."""
     with start_blocking_portal() as portal:
         serving = serve(simulated(ROVER.interface()), unix=tmp_path / "gateway")
         with portal.wrap_async_context_manager(serving) as server:
@@ -65,7 +65,7 @@ def url(tmp_path: Path) -> Iterator[str]:
 
 @pytest.fixture
 def handled() -> Iterator[list[int]]:
-    """Have SIGUSR1 and SIGUSR2 raise; return the numbers of those that were handled."""
+    """Let SIGUSR1 and SIGUSR2 raise an exception; yield the list of the handled signal numbers."""
     numbers: list[int] = []
 
     def stop(number: int, _: FrameType | None) -> None:
@@ -97,7 +97,7 @@ IDS = [f"{'blocking' if program is BLOCKING else 'trio'}-{way}" for program, way
 
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[str]:
-    """Return the URL of a robot in a process of its own."""
+    """Serve a robot in its own process; yield its URL."""
     (tmp_path / "rover.ul").write_text(SPEC)
     command = [sys.executable, "-m", "unity_link", "serve", "sim:rover.ul", "--unix", "gateway"]
     with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True) as process:
@@ -123,12 +123,12 @@ def test_signals_at_random_instants_let_every_finally_write(
 
 
 class Points:
-    """Instants at which the interpreter may run a handler: where a function begins, behind calls and at loops.
+    """Instants at which the interpreter may run a handler: at the beginning of functions, after calls, and in loops.
 
     Args:
-        at: number of the instant at which SIGUSR1 comes; None: it does not come.
-        place: beginning of the file names of the code in which it comes.
-        after: beginnings of the names of instructions after which it comes.
+        at: number of the instant at which SIGUSR1 comes; None for no signal.
+        place: beginning of the file names of the code in which instants count.
+        after: beginnings of the names of the instructions after which an instant counts.
     """
 
     def __init__(
@@ -170,7 +170,7 @@ class Points:
 
 
 def points_of(work: Callable[[], object]) -> int:
-    """Return at how many instants of some work a handler could run."""
+    """Return the number of instants in a call of `work` at which a handler could run."""
     work()
     with Points(None) as points:
         work()
@@ -228,7 +228,7 @@ def test_handler_that_raises_at_any_instant_of_a_call_leaves_the_link_usable(
             with contextlib.suppress(StoppedError):
                 with points:
                     works[work]()
-                # Where it cannot be called, and no safe point follows, a handler is called a moment later.
+                # If the handler cannot run at this instant, and no safe point follows, it runs a moment later.
                 while points.has_come and not handled and time.monotonic() < deadline:
                     time.sleep(0.0001)
             link.write(0x0F, 0)
@@ -292,7 +292,7 @@ with blocking.connect(sys.argv[1]) as link, link.subscribe([0x20, 0x21], rate_hz
 
 
 def test_signal_that_another_thread_takes_ends_a_wait_for_samples(url: str) -> None:
-    # In a process of its own: the alarm of a test's time-out would wake the main thread.
+    # Use another process: the alarm of a test's time-out would wake the main thread.
     done = subprocess.run([sys.executable, "-c", WAITS_FOR_SAMPLES, url], timeout=PATIENCE, check=False)
     assert done.returncode == 3
 
@@ -334,7 +334,7 @@ def test_handler_that_raises_ends_a_call_that_waits_for_a_callback(url: str, han
 
 
 @pytest.mark.parametrize("way", ["handler", "exit"])
-def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
+def test_exception_of_a_callback_ends_the_call_that_runs_it(
     way: str, url: str, handled: list[int], caplog: pytest.LogCaptureFixture
 ) -> None:
     begun: list[int] = []
@@ -347,7 +347,7 @@ def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
             signal.raise_signal(signal.SIGUSR1)
 
     def subscribe_until_it_is_called() -> None:
-        # If the thread of the link has begun to take the samples, it takes all of that subscription.
+        # Subscribe repeatedly: if the link's thread takes the first sample of a subscription, it takes all of them.
         deadline = time.monotonic() + PATIENCE
         while time.monotonic() < deadline:
             with link.subscribe([0x20], rate_hz=500, callback=stay):
@@ -363,7 +363,7 @@ def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
     assert [one for one in caplog.records if one.levelno >= logging.ERROR] == []
 
 
-def test_callback_that_exits_in_the_threads_of_a_link_is_logged_and_samples_go_on(
+def test_callback_that_exits_in_a_links_thread_is_logged_and_samples_go_on(
     url: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     called = threading.Semaphore(0)
@@ -380,7 +380,7 @@ def test_callback_that_exits_in_the_threads_of_a_link_is_logged_and_samples_go_o
 
 
 @pytest.mark.parametrize("kind", [TimeoutError, ConnectionError, unity_link.LinkLostError, StopIteration])
-def test_an_error_of_a_handler_comes_as_it_is(kind: type[Exception], url: str) -> None:
+def test_error_of_a_handler_is_raised_unchanged(kind: type[Exception], url: str) -> None:
     own = kind("of the handler")
 
     def stop(*_: object) -> None:
@@ -436,9 +436,9 @@ def test_signal_while_an_iteration_is_dropped_is_not_lost(handled: list[int]) ->
         robot = put(Rover, link)
         samples = iter(robot.position)
         next(samples)
-        # The end of the subscription takes 10 ms on this line.
+        # On this line, ending the subscription takes 10 ms.
         soon(seconds=0.003)
-        with pytest.raises(StoppedError):  # noqa: PT012  (the handler is called behind the first statement)
+        with pytest.raises(StoppedError):  # noqa: PT012  (the handler runs after the first statement)
             del samples
             time.sleep(PATIENCE)
     assert handled == [signal.SIGUSR1]
@@ -512,7 +512,7 @@ def test_cancelled_block_disarms_under_trio(url: str) -> None:
     trio.run(program)
 
 
-# The call that the signal has come after is dropped.
+# The coroutine of the call that the signal preceded is never awaited.
 @pytest.mark.filterwarnings("ignore:coroutine 'Writable._set' was never awaited:RuntimeWarning")
 @pytest.mark.usefixtures("handled")
 def test_signal_at_any_instant_of_a_program_leaves_nothing_armed_under_trio(url: str) -> None:
@@ -560,7 +560,7 @@ def test_signal_at_any_instant_of_start_soon_lets_the_nursery_end(url: str) -> N
 
 
 @pytest.mark.parametrize("kind", [TimeoutError, StoppedError])
-def test_what_a_handler_raises_ends_the_block_under_trio(kind: type[BaseException], url: str) -> None:
+def test_exception_of_a_handler_ends_the_block_under_trio(kind: type[BaseException], url: str) -> None:
     def stop(*_: object) -> None:
         raise kind
 
@@ -580,7 +580,7 @@ def test_what_a_handler_raises_ends_the_block_under_trio(kind: type[BaseExceptio
         trio.run(program)
 
 
-def test_handlers_are_the_programs_own_after_a_block_under_trio(url: str, handled: list[int]) -> None:
+def test_handlers_of_the_program_are_restored_after_a_block_under_trio(url: str, handled: list[int]) -> None:
     async def program() -> None:
         own = signal.getsignal(signal.SIGINT)
         async with unity_link.connect(url) as link, unity_link.connect(url) as other:

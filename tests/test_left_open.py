@@ -1,4 +1,4 @@
-"""Objects left open warn, with what to write instead, and only then."""
+"""Objects that a program leaves open cause a warning that names the remedy; closed ones do not."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ SERVERS: dict[str, Callable[[Path], AbstractAsyncContextManager[Any]]] = {
 
 
 def assert_quiet(function: Callable[[], object]) -> None:
-    """Check that nothing warns, neither at once nor when the garbage is collected."""
+    """Check that a function causes no warning, neither at once nor at the next garbage collection."""
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         function()
@@ -57,7 +57,7 @@ async def subscribe_and_leave(*, left_open: bool) -> None:
 
 def test_a_subscription_that_was_not_closed_warns() -> None:
     said = r"<subscription of 1 addresses, over: \d+ samples, 0 lost> was not closed: use `async with`"
-    with pytest.warns(ResourceWarning, match=said):  # noqa: PT031  (the garbage is collected in it)
+    with pytest.warns(ResourceWarning, match=said):  # noqa: PT031  (the garbage is collected within the block)
         run_simulated(subscribe_and_leave(left_open=True))
         gc.collect()
 
@@ -66,7 +66,7 @@ def test_one_that_was_closed_does_not() -> None:
     assert_quiet(lambda: run_simulated(subscribe_and_leave(left_open=False)))
 
 
-def test_a_blocking_subscription_that_was_not_closed_warns_and_ends_with_its_link() -> None:
+def test_unclosed_blocking_subscription_warns_and_ends_with_its_link() -> None:
     with pytest.warns(ResourceWarning, match="was not closed"):  # noqa: PT031
         with blocking.connect("sim:scara") as link:
             link.subscribe(0x88, rate_hz=100).__enter__().take()
@@ -86,7 +86,7 @@ def test_a_group_of_a_robot_that_was_not_closed_warns() -> None:
         gc.collect()
 
 
-def test_a_callback_that_can_never_be_called_warns_whoever_looks_for_it() -> None:
+def test_callback_that_can_never_run_causes_a_warning() -> None:
     async def forget() -> None:
         async with unity_link.connect("sim:scara") as link:
             link.subscribe(0x88, rate_hz=100, callback=print)
@@ -141,7 +141,7 @@ async def serve_and_leave(server: AbstractAsyncContextManager[Any], *, left_open
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
-def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Path) -> None:
+def test_unclosed_server_warns(name: str, tmp_path: Path) -> None:
     what = name.partition(",")[0]
     with pytest.warns(ResourceWarning) as told:  # noqa: PT031
         asyncio.run(serve_and_leave(SERVERS[name](tmp_path), left_open=True))
@@ -151,7 +151,7 @@ def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Pa
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
-def test_what_is_served_in_a_block_is_quiet(name: str, tmp_path: Path) -> None:
+def test_server_closed_by_its_block_is_quiet(name: str, tmp_path: Path) -> None:
     assert_quiet(lambda: asyncio.run(serve_and_leave(SERVERS[name](tmp_path), left_open=False)))
     assert list(tmp_path.iterdir()) == []
 
@@ -165,7 +165,7 @@ def test_networks_that_are_served_in_a_block_are_quiet() -> None:
     assert_quiet(lambda: asyncio.run(serve_both()))
 
 
-def test_a_server_without_async_with_says_so() -> None:
+def test_server_without_async_with_is_an_error() -> None:
     server: Any = serve_tcp(VirtualGateway())
     said = r"^nothing is served yet: write `async with serve\.\.\.\(\.\.\.\) as url:`$"
     with pytest.raises(unity_link.ArgumentError, match=said):

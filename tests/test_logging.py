@@ -1,4 +1,4 @@
-"""The log of a program: what happens to links, samples and leases, at which level and in which words."""
+"""The log of a program: the level and the text for events of links, samples and leases."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ SILENT = "nothing arrived: check that the gateway is powered, the port and the w
 
 @pytest.fixture
 def lines(caplog: pytest.LogCaptureFixture) -> Lines:
-    """Return a function that returns and forgets the records: level, logger and message without the gateway's name."""
+    """Return a function that returns the records since its last call: level, logger, message without the gateway."""
     caplog.set_level(logging.INFO, "unity_link.frames")
     caplog.set_level(logging.DEBUG, "unity_link")
 
@@ -220,7 +220,7 @@ async def test_a_lease_that_is_armed_and_disarmed_is_logged_at_info(lines: Lines
 
 @pytest.mark.parametrize("error", [None, ZeroDivisionError()])
 @on_simulated_time
-async def test_a_lease_whose_program_does_not_kick_is_a_warning(lines: Lines, error: Exception | None) -> None:
+async def test_lease_without_kicks_is_logged_as_a_warning(lines: Lines, error: Exception | None) -> None:
     async with unity_link.connect(simulated(ROBOT.interface())) as link:
         rover = unity_link.load(ROBOT)(link)
         with contextlib.suppress(ZeroDivisionError):

@@ -1,7 +1,7 @@
-"""docs/mistakes.md: each row of its tables is tried, and must say and end as it stands there.
+"""Each row of the tables in docs/mistakes.md is tried, and must end with the error of the row.
 
-Rows of commands run in this process, some once more as programs; rows of Python run in the surroundings that their
-section names. Ports of the page stand for what this test has there: nothing, or another kind of server.
+Rows of commands run in this process, some once more as programs; rows of Python run in the surroundings of their
+section. Real ports replace those of the page: one is closed, others belong to servers of other kinds.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ SPEC = ROOT / "examples" / "scara.ul"
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 SECTION, ROW = re.compile(r"^## (.*)$"), re.compile(r"^\| `(.+?)` \| (.+) \| `?([\w.]+)`? \|$")
 PRIVATE = re.compile(r"^[\w./-]*: error: ")
-"""Prefix of the sentence about a spec: its place."""
+"""Prefix of a sentence about a spec: the place in the spec."""
 
 
 class Mistake(NamedTuple):
@@ -45,7 +45,7 @@ class Mistake(NamedTuple):
     ends: str
 
     def is_told_by(self, sentence: str) -> bool:
-        """Return whether a sentence is that of the page, where ``...`` stands for any text."""
+        """Return True if a sentence is that of the page, in which ``...`` matches any text."""
         return re.fullmatch(re.escape(self.said).replace(r"\.\.\.", ".*"), sentence) is not None
 
 
@@ -73,7 +73,7 @@ def test_the_page_has_fifty_rows_and_none_that_waits_for_a_time_out() -> None:
     assert [mistake for mistake in MISTAKES if "no gateway answered" in mistake.said] == []
 
 
-# What stands at the ports of the page
+# Servers at the ports of the page
 
 
 def _says(answer: bytes) -> Callable[[socket.socket], None]:
@@ -99,7 +99,7 @@ NOBODY = "7200"
 
 @pytest.fixture(scope="module")
 def ports() -> Iterator[dict[str, str]]:
-    """Serve what stands at the ports of the page, and give the real ports."""
+    """Run the servers at the ports of the page; yield the real port for each port of the page."""
     from threading import Thread
 
     with contextlib.ExitStack() as stack:
@@ -117,7 +117,7 @@ def ports() -> Iterator[dict[str, str]]:
 
             Thread(target=accept, daemon=True).start()
             stack.callback(server.shutdown, socket.SHUT_RDWR)
-        # Bound and not listening, so that no other process gets the port.
+        # Bind a socket without listening, so that no other process gets the port.
         nobody = stack.enter_context(socket.socket())
         nobody.bind(("127.0.0.1", 0))
         given[NOBODY] = str(nobody.getsockname()[1])
@@ -126,7 +126,7 @@ def ports() -> Iterator[dict[str, str]]:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Be in a folder with the files that the page names."""
+    """Change to a folder with the files that the page names."""
     shutil.copy(SPEC, tmp_path)
     (tmp_path / "there.mcap").touch()
     (tmp_path / "broken.ul").write_text("public robot() { @speed = 0x10: sined READ(); }\n")
@@ -145,7 +145,7 @@ def _with_ports(text: str, ports: dict[str, str]) -> str:
 
 @pytest.mark.parametrize("mistake", COMMANDS, ids=lambda mistake: mistake.tried)
 @pytest.mark.usefixtures("folder")
-def test_a_mistaken_command_says_what_the_page_says(
+def test_mistaken_command_prints_the_error_on_the_page(
     mistake: Mistake, ports: dict[str, str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(sys, "argv", shlex.split(_with_ports(mistake.tried, ports)))
@@ -158,13 +158,15 @@ def test_a_mistaken_command_says_what_the_page_says(
 
 
 def _sentence(line: str) -> str:
-    """Return what is told, without the place in a spec."""
+    """Return a message without the place in a spec."""
     return PRIVATE.sub("", line).removeprefix("error: ")
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("mistake", COMMANDS[::12], ids=lambda mistake: mistake.tried)
-def test_a_program_says_it_too(mistake: Mistake, folder: Path, ports: dict[str, str]) -> None:
+def test_mistaken_command_as_a_process_prints_the_same_error(
+    mistake: Mistake, folder: Path, ports: dict[str, str]
+) -> None:
     _, *arguments = shlex.split(_with_ports(mistake.tried, ports))
     result = subprocess.run([PROGRAM, *arguments], cwd=folder, capture_output=True, text=True, timeout=60, check=False)
     assert (str(result.returncode), result.stdout) == (mistake.ends, "")
@@ -176,7 +178,7 @@ def test_a_program_says_it_too(mistake: Mistake, folder: Path, ports: dict[str, 
 
 @contextlib.asynccontextmanager
 async def surroundings(section: str) -> AsyncIterator[dict[str, Any]]:
-    """Return the names that the page defines for a section."""
+    """Yield the names that the page defines for a section."""
     Scara = unity_link.load("scara.ul")  # noqa: N806  (a class)
     names: dict[str, Any] = {"unity_link": unity_link, "blocking": blocking, "Scara": Scara, "Group": Group}
     names |= {"put": put, "Path": Path, "VirtualGateway": VirtualGateway}
@@ -192,7 +194,7 @@ async def surroundings(section: str) -> AsyncIterator[dict[str, Any]]:
 
 @pytest.mark.parametrize("mistake", PYTHON, ids=lambda mistake: f"{mistake.section}: {mistake.tried}")
 @pytest.mark.usefixtures("folder")
-def test_a_mistake_in_a_program_raises_what_the_page_says(mistake: Mistake, ports: dict[str, str]) -> None:
+def test_mistake_in_a_program_raises_the_error_on_the_page(mistake: Mistake, ports: dict[str, str]) -> None:
     async def attempt() -> BaseException | None:
         async with surroundings(mistake.section) as names:
             code = compile(
@@ -202,7 +204,7 @@ def test_a_mistake_in_a_program_raises_what_the_page_says(mistake: Mistake, port
                 result = eval(code, names)
                 if inspect.iscoroutine(result):
                     await result
-            except Exception as error:  # noqa: BLE001  (it is compared)
+            except Exception as error:  # noqa: BLE001  (the test compares it)
                 return error
         return None
 

@@ -1,4 +1,4 @@
-"""Hardware modules: offsets instead of addresses, and what each kind can do."""
+"""Hardware modules: offsets instead of addresses, and the operations of each kind."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from unity_link.virtual import AccessError, VirtualGateway
 
 
 class Queue:
-    """A queue of four words that refuses what it cannot do."""
+    """A queue of four words; it refuses reads while it is empty, and writes while it is full."""
 
     def __init__(self) -> None:
         self.words: list[int] = []
@@ -147,7 +147,7 @@ def test_every_module_that_a_spec_can_name_has_a_proxy() -> None:
 
 
 @on_simulated_time
-async def test_a_proxy_of_ones_own_stands_on_the_address_of_a_memory() -> None:
+async def test_users_own_proxy_has_the_address_of_its_memory() -> None:
     class Stepper(Module):
         """A stepper motor."""
 

@@ -1,4 +1,4 @@
-"""Pages can be read and copied where they are: on a forge, which shows Markdown and no directive of Sphinx."""
+"""Pages can be read on a forge, which shows Markdown without directives of Sphinx, and copied from there."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from unity_link.boards.loading import board_names, load_board
 
 ROOT = Path(__file__).parents[1]
 SHOWN = [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("gateware/**/README.md"), *ROOT.glob("examples/**/*.md")]
-"""Pages that a forge shows; those of `PAGES` are built by Sphinx as well."""
+"""Pages that a forge shows; Sphinx builds those in `PAGES` too."""
 WRITTEN = [page for page in PAGES if "make docs-tables`" in page.read_text(encoding="utf-8")]
 CORES = ROOT / "docs" / "reference" / "cores" / "index.md"
 
 
 def wrong_fences(text: str) -> list[str]:
-    """Return the beginnings of listings that have syntax of Sphinx, which a forge shows as text."""
+    """Return the first lines of listings with syntax of Sphinx, which a forge shows as text."""
     fences = re.findall(r"^ *(?:```|~~~|:::)+([^\n]*)\n([^\n]*)", text, re.MULTILINE)
     return [
         f"{info}: {first}" for info, first in fences if info.startswith("{") or (info and re.match(r" *:\w", first))
@@ -48,7 +48,7 @@ def test_each_relative_link_leads_to_a_file_on_a_forge(page: Path) -> None:
 
 
 def empty_sections(text: str) -> list[str]:
-    """Return the headings of a page that a forge shows nothing under; the whole text if it has no heading."""
+    """Return the headings without visible text below them; the whole page if it has no heading."""
     shown = re.sub(
         r"<!--.*?-->", "", re.sub(r"^```.*?^```", "code", text, flags=re.DOTALL | re.MULTILINE), flags=re.DOTALL
     )
@@ -106,7 +106,7 @@ def test_the_clock_of_sim_is_that_of_its_url_and_not_of_the_spec(option: str, cl
         assert link.gateway.clock_hz == clock_hz
 
 
-def test_the_program_of_the_first_page_prints_where_the_robot_is(tmp_path: Path) -> None:
+def test_program_on_the_first_page_prints_the_position_of_the_robot(tmp_path: Path) -> None:
     page = ROOT / "README.md"
     program = tmp_path / "move.py"
     program.write_text(files_of(page)["move.py"], encoding="utf-8")

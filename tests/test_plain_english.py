@@ -1,19 +1,31 @@
-"""The check of prose finds phrases in every kind of file, and holds each folder to its limit."""
+"""The check of prose finds phrases in every kind of file, and compares each folder with its limit."""
 
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from support.plain_english import ROOT, TABLE, above, at_merge_base, long_names, lowered, questions, raised, read_rules
+from support.plain_english import (
+    ROOT,
+    TABLE,
+    above,
+    at_merge_base,
+    long_names,
+    lowered,
+    questions,
+    raised,
+    read_rules,
+    too_many,
+)
 from support.prose import pieces_of
+from support.suppressions import suppressions
 
 TEXT = (ROOT / TABLE).read_text(encoding="utf-8")
 RULES = read_rules(TEXT)
 SMALL = (
     TEXT.partition("[ceilings]")[0] + '[ceilings]\n"." = 9.0\n"a" = 500.0\n"a/b" = 500.0\n' + TEXT[TEXT.index("[[ph") :]
 )
-"""A table of two folders and the files beside them."""
+"""A table of limits for two folders and the files outside of them."""
 
 
 @pytest.mark.parametrize(
@@ -107,9 +119,11 @@ def test_a_folder_above_its_limit_fails_and_names_its_worst_files(tmp_path: Path
     ]
     rules.ceilings["a"] = 5.2
     assert list(above(folders, rules)) == []
-    lower = read_rules(lowered(SMALL, folders, names=3))
+    fewer = {"Any": 1, "noqa": 10**6, "type: ignore": 2}
+    lower = read_rules(lowered(SMALL, folders, 3, fewer))
     assert lower.ceilings == {".": 0.0, "a": 5.2, "a/b": 10.3}
     assert lower.long_test_names == 3
+    assert lower.suppressions == {"Any": 1, "noqa": rules.suppressions["noqa"], "type: ignore": 2}
 
 
 def test_a_limit_that_rises_fails_and_one_that_falls_does_not() -> None:
@@ -122,6 +136,10 @@ def test_a_limit_that_rises_fails_and_one_that_falls_does_not() -> None:
         f"{TABLE}: longest_test_name is 73, and was 72; it may only fall"
     ]
     assert list(raised(read_rules(SMALL), longer)) == []
+    freer = read_rules(SMALL)
+    freer.suppressions["noqa"] = 1000
+    (sentence,) = raised(freer, read_rules(SMALL))
+    assert sentence.startswith(f"{TABLE}: noqa is 1000, and was ")
 
 
 def test_limits_are_compared_with_the_merge_base(tmp_path: Path) -> None:
@@ -150,6 +168,23 @@ def test_names_of_tests_that_are_too_long_are_found(tmp_path: Path) -> None:
     path = tmp_path / "test_a.py"
     path.write_text(f"async def test_{'a' * 68}() -> None: ...\ndef test_{'b' * 67}() -> None: ...\n")
     assert long_names([path], 72) == {f"test_{'a' * 68}": path}
+
+
+def test_lines_that_switch_off_a_check_are_counted_in_the_package_only(tmp_path: Path) -> None:
+    source = 'x: Any = f(Any)  # type: ignore[misc]\ny = "noqa"  # noqa: S105  (a word)\nz: Anyone = 1  # Any one.\n'
+    for name in ("inside/a.py", "inside/b.txt", "outside.py"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(source)
+    counts = suppressions([path for path in tmp_path.rglob("*") if path.is_file()], tmp_path / "inside")
+    assert counts == {"Any": 1, "noqa": 1, "type: ignore": 1}
+
+
+def test_more_lines_that_switch_off_a_check_than_the_limit_are_reported() -> None:
+    rules = read_rules(SMALL)
+    rules.suppressions = {"Any": 3, "noqa": 2}
+    assert list(too_many({"Any": 3, "noqa": 3, "type: ignore": 9}, rules)) == [
+        "3 lines of unity_link/ have `noqa`, at most 2 may"
+    ]
 
 
 def test_a_docstring_that_asks_or_orders_is_found(tmp_path: Path) -> None:

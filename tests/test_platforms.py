@@ -1,4 +1,4 @@
-"""Nothing asks, when it is imported, for what only Linux has; media that all systems have work without the rest."""
+"""No module needs Linux when it is imported; media that all systems have work without the other media."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
 HERE = Path(__file__).parent
 SERVER = HERE / "transport" / "serve.py"
 NOT_THERE = {
-    # uvicorn asks for it on Windows.
+    # uvicorn imports it on Windows.
     "win32": {"unity_link.bridges.live": "No module named 'msvcrt'"},
     "darwin": {},
 }
 OF_THE_SYSTEM = "unity_link.bridges.ros1.outlet"
-"""Modules that run in the Python of ROS 1 alone."""
+"""Modules that run only in the Python of ROS 1."""
 
 
 @pytest.fixture(scope="module")
 def urls() -> Iterator[list[str]]:
-    """Serve a gateway by TCP and one by UDP, in processes of their own."""
+    """Serve one gateway by TCP and one by UDP, in other processes; yield the URLs."""
     found, processes = ["sim:scara"], []
     for medium in ("tcp", "udp"):
         command = [sys.executable, str(SERVER), medium, "", "0"]
@@ -42,7 +42,7 @@ def urls() -> Iterator[list[str]]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("system", ["win32", "darwin"])
-def test_without_what_only_linux_has_all_is_imported_and_sockets_carry_links(system: str, urls: list[str]) -> None:
+def test_all_modules_import_and_sockets_work_without_linux_features(system: str, urls: list[str]) -> None:
     command = [sys.executable, str(HERE / "support" / "other_system.py"), system, *urls]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr

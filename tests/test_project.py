@@ -1,4 +1,4 @@
-"""The project keeps its own promises: what an import loads, what the lock files name, where the links lead."""
+"""Guarantees of the project: the modules that an import loads, the names in the lock files, the targets of links."""
 
 import importlib.metadata
 import re
@@ -24,10 +24,10 @@ ROOT = Path(__file__).parent.parent
 LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 PYTHONS = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
-"""Versions of Python that the project names; a part of the tests runs on 3.13 if it is installed."""
+"""Versions of Python that the project supports; a part of the tests runs on 3.13 if it is installed."""
 
 
-def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None:
+def test_importing_the_package_loads_no_optional_modules() -> None:
     code = "import sys; before = set(sys.modules); import unity_link; print(*(set(sys.modules) - before))"
     loaded = subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.split()
     third_party = {name.partition(".")[0] for name in loaded} - sys.stdlib_module_names
@@ -61,7 +61,7 @@ def test_everything_public_is_exported_and_documented() -> None:
 
 
 @pytest.mark.parametrize("lock", LOCKS, ids=lambda path: path.name)
-def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> None:
+def test_lock_file_has_only_versions_and_hashes(lock: Path) -> None:
     line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*'() ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
     assert [text for text in lock.read_text().splitlines() if not re.fullmatch(line, text)] == []
 
@@ -84,7 +84,7 @@ def test_the_versions_of_both_lock_files_agree() -> None:
     assert core <= whole
 
 
-def test_peers_are_measured_with_the_versions_that_everything_else_is_locked_to() -> None:
+def test_lock_file_of_peers_has_the_versions_of_the_main_lock_file() -> None:
     whole, peers = (
         re.findall(r"^(\S+)==(\S+)", (ROOT / "requirements" / f"{name}.lock").read_text(), re.MULTILINE)
         for name in ("all", "peers")
@@ -108,7 +108,7 @@ def test_no_module_is_a_drawer_for_odds_and_ends() -> None:
     assert [path for path in tracked_files(ROOT) if path.stem in {"util", "utils", "helpers", "misc", "common"}] == []
 
 
-def test_every_file_says_at_its_top_why_it_is_there() -> None:
+def test_every_file_begins_with_its_purpose() -> None:
     sources = [path for path in tracked_files(ROOT) if path.suffix in {".py", ".vhd", ".mk", ".sby"}]
     silent = [path for path in sources if not re.match(r'(#!.*\n)?(#|--|r?""")', path.read_text(encoding="utf-8"))]
     assert silent == []
@@ -133,7 +133,7 @@ def test_the_sidebar_lists_each_guide_under_the_heading_of_the_first_page() -> N
 
 def test_no_page_installs_from_an_index_that_does_not_have_us() -> None:
     pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
-    # Where it is installed already, the same line adds an extra, as commands say it.
+    # In these pages the line adds an extra to an installed package, as messages of commands propose.
     of_commands = {"install.md", "command-line.md"}
     found = {
         page.name
@@ -155,14 +155,14 @@ def test_every_picture_of_the_documents_is_shown_and_made_by_a_command() -> None
     assert made - {"peers.png"} == set(PICTURES)
 
 
-def test_every_make_target_stands_in_the_help() -> None:
+def test_every_make_target_is_in_the_help() -> None:
     makefile = (ROOT / "Makefile").read_text()
     phony = set(re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split())  # type: ignore[index]
     described = set(re.findall(r"^([a-z0-9-]+):.*## ", makefile, re.MULTILINE))
     assert phony == described
 
 
-def test_the_table_of_commands_has_what_each_family_adds() -> None:
+def test_table_of_commands_has_the_commands_of_each_family() -> None:
     for family in set(FAMILIES.values()):
         alone = typer.Typer()
         importlib.import_module(f"unity_link.cli.{family}").add_to(alone)
@@ -179,17 +179,17 @@ def test_the_reference_of_the_command_line_has_every_command() -> None:
     assert {family for family in families if f"unity-link {family} " not in reference} == set()
 
 
-def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
+def test_table_of_files_to_change_names_existing_files() -> None:
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     table = text.partition("## To add something")[2].partition("\n## ")[0]
     paths = {name for name in re.findall(r"`([\w./]+)`", table) if "/" in name or "." in name}
     assert len(paths) > 40
-    # A medium and a target that are there stand for new ones.
+    # An existing medium and an existing target replace NAME in the paths.
     places = [path.replace("NAME", "matlab" if "generate" in path else "udp") for path in sorted(paths)]
     assert [path for path in places if not ((ROOT / path).exists() or (ROOT / "unity_link" / path).exists())] == []
 
 
-def test_the_terms_name_what_the_code_has() -> None:
+def test_terms_name_items_of_the_code() -> None:
     text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
     rows = [line.split("|") for line in text.partition("## Terms")[2].splitlines() if line.startswith("| ")][1:]
     terms = [row[1].strip() for row in rows]

@@ -1,4 +1,4 @@
-"""docs/protocol.md is right: checks, messages and answers in its examples are what the gateway model gives."""
+"""docs/protocol.md is right: the gateway model returns the CRCs, messages and answers of its examples."""
 
 import itertools
 import re
@@ -18,7 +18,7 @@ EXAMPLES = worked_examples()
 
 
 def documented_gateway(example: Example) -> VirtualGateway:
-    """Return a gateway fresh from reset, of the configuration that the document's answer to Q tells."""
+    """Return a gateway after a reset, with the configuration in the document's answer to Q."""
     text = DOCUMENT.read_text(encoding="utf-8")
     info = GatewayInfo.from_hex(re.search(r"^< Q([0-9A-F]+)␍␊", text, re.MULTILINE)[1].encode())  # type: ignore[index]
     gateway = VirtualGateway(info, node=example.node)
@@ -29,14 +29,14 @@ def documented_gateway(example: Example) -> VirtualGateway:
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
-def test_the_gateway_model_answers_as_the_document_says(example: Example) -> None:
+def test_gateway_model_answers_as_the_document_states(example: Example) -> None:
     gateway = documented_gateway(example)
     for sent, answered in example.exchange:
         assert gateway.receive(sent, now=0.0) == answered, sent
 
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
-def test_every_checked_frame_has_the_right_crc_unless_its_answer_says_otherwise(example: Example) -> None:
+def test_checked_frames_have_the_right_crc_unless_answered_by_a_crc_error(example: Example) -> None:
     for (frame, from_gateway, session), behind in itertools.pairwise([*example.frames_in_sessions, (b"", False, 0)]):
         if frame.endswith(b"\r\n") or frame == b"\n" or not frame.endswith(b"\n"):
             continue
@@ -68,7 +68,7 @@ def test_the_examples_show_every_error_that_a_short_example_can_show() -> None:
         for _, answered in example.exchange
         if (match := re.match(rb"(?:X|x...)([0-9A-F]{2})", answered))
     }
-    # 07 needs a frame longer than a page is wide, 09 bytes that were lost.
+    # 07 needs a frame longer than a page is wide; 09 needs lost bytes.
     assert shown == set(ErrorCode) - {ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW}
 
 

@@ -1,4 +1,4 @@
-"""The plugin of pytest, as its user has it: a folder with a spec, a model and tests, run by a pytest of its own."""
+"""The plugin of pytest as a user has it: a folder with a spec, a model and tests, run by another pytest."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ WRONG = {
 
 
 def run(folder: Path, *options: str) -> str:
-    """Run pytest in a folder, and return what it printed."""
+    """Run pytest in a folder; return its output."""
     command = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-q", "-rs", *options]
     if not plugin_is_installed():
         command += ["-p", "unity_link.pytest_plugin"]
@@ -148,7 +148,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.mark.slow
-def test_a_robot_is_tested_on_every_medium_with_noise_faults_and_modelled_time_under_asyncio_and_trio(
+def test_plugin_tests_a_robot_on_all_media_with_noise_under_asyncio_and_trio(
     folder: Path,
 ) -> None:
     (folder / "test_rover.py").write_text(TESTS)
@@ -166,7 +166,7 @@ def test_the_how_to_page_is_right(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_same_tests_run_on_a_board_but_for_those_that_look_behind_its_bus(folder: Path) -> None:
+def test_same_tests_run_on_a_board_except_those_that_need_a_virtual_gateway(folder: Path) -> None:
     (folder / "test_words.py").write_text(
         textwrap.dedent("""
             import pytest
@@ -191,7 +191,7 @@ def test_the_same_tests_run_on_a_board_but_for_those_that_look_behind_its_bus(fo
 
 
 @pytest.mark.slow
-def test_the_ini_file_says_what_all_tests_have(folder: Path) -> None:
+def test_ini_file_sets_the_defaults_of_all_tests(folder: Path) -> None:
     (folder / "pytest.ini").write_text(
         "[pytest]\nunity_link_spec = rover.ul\nunity_link_model = rover.py:Rover\nunity_link_medium = unix\n"
     )
@@ -212,14 +212,14 @@ def test_paths_of_the_ini_file_are_below_its_folder(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_links_are_opened_one_after_the_other_and_several_at_once_share_the_gateway(folder: Path) -> None:
+def test_links_opened_in_turn_and_at_once_share_the_gateway(folder: Path) -> None:
     (folder / "test_rover.py").write_text(SEVERAL)
     said = run(folder)
     assert "6 passed" in said, said
 
 
 @pytest.mark.slow
-def test_what_is_marked_wrongly_is_told_in_a_sentence(folder: Path) -> None:
+def test_wrong_marks_are_reported_in_one_sentence(folder: Path) -> None:
     for place, mark in enumerate(WRONG):
         (folder / f"test_{place}.py").write_text(
             f"import pytest\n\n@pytest.mark.asyncio\n@pytest.mark.{mark}\nasync def test(unity_link_robot): ...\n"

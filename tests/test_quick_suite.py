@@ -1,7 +1,7 @@
 """`make test` covers every command, core, language and URL scheme at least once on real input.
 
-Tests that take long are marked `slow` and run in `make test-all`. The tables name, for each feature, a test that stays
-in `make test`.
+Slow tests are marked `slow` and run in `make test-all`. For each feature, the tables name a test that stays in
+`make test`.
 """
 
 import ast
@@ -15,23 +15,23 @@ from unity_link.generate import TARGETS
 
 ROOT = Path(__file__).parent.parent
 COMMANDS = {
-    "build": "tests/boards/test_own_top.py::test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it",
-    "check": "tests/cli/test_spec.py::test_check_says_that_a_spec_is_good",
+    "build": "tests/boards/test_own_top.py::test_build_makes_a_project_of_a_users_top_and_prints_its_warnings",
+    "check": "tests/cli/test_spec.py::test_check_reports_a_valid_spec",
     "demo": "tests/cli/test_full_screen.py::test_the_demo_on_a_terminal_that_can_draw_nothing_prints_lines",
     "doctor": "tests/doctor/test_faults.py::test_mapped_memory_has_no_gateway_to_examine",
     "explain": "tests/cli/test_explain.py::test_json_has_an_object_for_each_frame_and_the_summary",
     "export": "tests/cli/test_spec.py::test_systemrdl_goes_out_and_in",
     "find": "tests/cli/test_find.py::test_simulated_boards_are_listed_with_name_map_and_session",
     "fmt": "tests/cli/test_spec.py::test_fmt_changes_a_file_once",
-    "ft232h": "tests/cli/test_ft232h.py::test_what_an_eeprom_says_is_shown",
+    "ft232h": "tests/cli/test_ft232h.py::test_contents_of_an_eeprom_are_shown",
     "gateware": "tests/generate/test_vhdl_folder.py::test_a_folder_with_files_is_left_as_it_is",
-    "generate": "tests/cli/test_spec.py::test_generate_writes_the_files_and_tells_them",
+    "generate": "tests/cli/test_spec.py::test_generate_writes_and_lists_the_files",
     "get": "tests/cli/test_signals.py::test_signals_are_read_by_name_part_and_pattern_in_their_units",
     "import": "tests/cli/test_spec.py::test_systemrdl_goes_out_and_in",
-    "info": "tests/cli/test_commands.py::test_what_a_program_may_read_is_json",
+    "info": "tests/cli/test_commands.py::test_output_for_programs_is_json",
     "live": "tests/bridges/test_live.py::test_a_slider_is_moved_by_the_keyboard_and_writes_within_the_limits",
     "read": "tests/bridges/test_serve_command.py::test_tcp_listens_on_this_machine_alone",
-    "record": "tests/cli/test_manual.py::test_a_recording_is_told_as_json",
+    "record": "tests/cli/test_manual.py::test_recording_is_described_as_json",
     "replay": "tests/bridges/test_recording.py::test_a_replay_is_served_to_other_programs",
     "retrace": "tests/virtual/test_retrace.py::test_the_complete_records_of_a_cut_file_are_replayed",
     "ros1": "tests/bridges/test_ros1.py::test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none",
@@ -40,8 +40,8 @@ COMMANDS = {
     "set": "tests/cli/test_signals.py::test_signals_are_written_by_name_with_units_names_and_truths",
     "show": "tests/cli/test_spec.py::test_show_gives_a_tree_with_addresses",
     "simulate": "tests/cli/test_find.py::test_simulated_boards_are_listed_with_name_map_and_session",
-    "stop": "tests/cli/test_signals.py::test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere",
-    "terminal": "tests/cli/test_terminal.py::test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d",
+    "stop": "tests/cli/test_signals.py::test_stop_disarms_all_leases_of_a_spec_given_in_any_way",
+    "terminal": "tests/cli/test_terminal.py::test_typed_requests_are_sent_and_answers_explained_until_ctrl_d",
     "watch": "tests/cli/test_full_screen.py::test_watch_shows_values_as_they_change_through_resizes",
     "write": "tests/link/test_mapped.py::test_commands_take_the_url",
     "zenoh": "tests/bridges/test_zenoh.py::test_signals_are_read_and_written_by_keys_in_batches_and_by_wildcards",
@@ -56,13 +56,13 @@ CORES = {
 }
 LANGUAGES = {
     "c": "tests/generate/test_c.py::test_words_blocks_batches_and_posted_writes_arrive",
-    "cpp": "tests/generate/test_cpp.py::test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python",
-    "docs": "tests/generate/test_docs.py::test_a_signal_has_all_that_is_said_of_it",
-    "matlab": "tests/generate/test_matlab.py::test_signals_do_what_their_kind_access_and_place_allow",
+    "cpp": "tests/generate/test_cpp.py::test_values_of_every_kind_are_encoded_and_decoded_as_in_python",
+    "docs": "tests/generate/test_docs.py::test_page_has_every_property_of_a_signal",
+    "matlab": "tests/generate/test_matlab.py::test_signals_work_within_their_kind_access_and_place",
     "python": "tests/generate/test_python.py::test_the_generated_scara_reads_writes_and_is_published",
     "ros1": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
     "ros2": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
-    "verilog": "tests/generate/test_verilog.py::test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for",
+    "verilog": "tests/generate/test_verilog.py::test_netlist_has_the_requested_clock_and_baud_rate",
     "vhdl": "tests/generate/test_vhdl.py::test_gateway_and_boards_elaborate_with_the_gateware",
 }
 SCHEMES = {
@@ -101,6 +101,6 @@ def test_a_test_of_the_tables_is_in_make_test(test: str) -> None:
     (function,) = (
         node for node in tree.body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef) and node.name == name
     )
-    # A parameter may be slow: at least one other is not.
+    # Ignore the marks of single parameters: a parameter may be slow if another one is not.
     marks += [ast.unparse(decorator) for decorator in function.decorator_list if "param" not in ast.unparse(decorator)]
     assert not {"pytest.mark.slow", "pytest.mark.campaign"} & set(re.findall(r"pytest\.mark\.\w+", " ".join(marks)))

@@ -1,4 +1,4 @@
-"""No string from outside breaks out of its place in a file of another language, as the readers of these judge."""
+"""No string from outside breaks out of its place in a file of another language, as the language's own tool reads it."""
 
 from __future__ import annotations
 
@@ -160,7 +160,7 @@ PROGRAMS = {
 
 
 def strings(seed: int) -> Iterator[str]:
-    """Return strings without end: pieces in any order, and each piece by itself, in front and behind."""
+    """Yield strings without end: each piece by itself, before and after a word, then random sequences of pieces."""
     for piece in PIECES:
         yield from (piece, f"{piece}word", f"word{piece}", f"word {piece} word", f"{piece}\n{piece}")
     chosen = random.Random(seed)
@@ -213,12 +213,12 @@ NAIVE: dict[str, tuple[str, Callable[[str], object]]] = {
     "matlab string": ("matlab_string", lambda text: f"'{quoting.terminal(text)}'"),
     "terminal": ("terminal", str),
 }
-"""For each place, a function that quotes less."""
+"""For each place, a function that quotes too little."""
 
 
 @pytest.mark.parametrize("place", READERS)
 def test_its_reader_finds_a_string_that_is_quoted_too_little(place: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(quoting, *NAIVE[place])
-    # A reader in the process says so by its error.
+    # A reader within this process reports an outbreak by its error.
     with contextlib.suppress(SyntaxError, ValueError, yaml.YAMLError, configparser.Error):
         assert outbreaks(place, 1_000)

@@ -1,4 +1,4 @@
-"""The claims of docs/safety.md on outputs when a program ends, by the tutorials' own programs."""
+"""The claims of docs/safety.md on outputs when a program ends, checked with the programs of the tutorials."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ PATIENCE = 60.0
 
 
 def save(page: str, folder: Path) -> None:
-    """Write the files that a tutorial has one save."""
+    """Write the files that a tutorial asks its reader to save."""
     for name, text in files_of(DOCS / "tutorials" / page).items():
         (folder / name).write_text(text, encoding="utf-8")
 
 
 @contextlib.contextmanager
 def simulated(folder: Path, robot: str) -> Iterator[str]:
-    """Share a robot at a socket, which is returned as a URL, with the program and with who watches it."""
+    """Share a robot on a socket for the program and an observer; yield the URL."""
     command = [PROGRAM, "serve", f"sim:{robot}", "--unix", "robot.sock"]
     with subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, text=True) as process:
         try:
@@ -43,7 +43,7 @@ def simulated(folder: Path, robot: str) -> Iterator[str]:
 
 
 def ended_by(number: signal.Signals, program: list[str], folder: Path, url: str, moving: int) -> None:
-    """Run a program until a word of its robot is not 0, and end it by a signal."""
+    """Run a program until the word at `moving` is not 0; end it by a signal."""
     with subprocess.Popen(program, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         try:
             deadline = time.monotonic() + PATIENCE

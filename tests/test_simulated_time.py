@@ -1,4 +1,4 @@
-"""The event loop that tests of time run on."""
+"""The event loop with simulated time, on which tests run."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ async def test_timers_fire_in_the_order_of_their_times(delays: list[float]) -> N
     loop = asyncio.get_running_loop()
     start = loop.time()
     for delay in delays:
-        # Delays may differ by less than the clock can tell.
+        # Two delays may differ by less than the resolution of the clock.
         loop.call_later(delay, fired.append, start + delay)
     await asyncio.sleep(1e4 + 1)
     assert fired == sorted(start + delay for delay in delays)
 
 
-def test_waiting_for_what_never_comes_is_an_error() -> None:
+def test_wait_without_a_due_event_is_an_error() -> None:
     async def wait() -> None:
         await asyncio.get_running_loop().create_future()
 
@@ -40,7 +40,7 @@ def test_waiting_for_what_never_comes_is_an_error() -> None:
         run_simulated(wait())
 
 
-def test_with_host_time_the_clock_runs_with_the_programs_own_work() -> None:
+def test_clock_with_host_time_counts_the_work_of_the_program() -> None:
     async def work() -> tuple[float, float]:
         loop = asyncio.get_running_loop()
         processor, began = time.thread_time(), loop.time()
@@ -54,7 +54,7 @@ def test_with_host_time_the_clock_runs_with_the_programs_own_work() -> None:
 
 
 @pytest.mark.parametrize("host_time", [False, True], ids=["modelled", "with host time"])
-def test_the_clock_stands_still_while_a_model_computes(host_time: bool) -> None:
+def test_clock_does_not_advance_while_a_model_computes(host_time: bool) -> None:
     async def compute() -> list[float]:
         loop = asyncio.get_running_loop()
         assert isinstance(loop, ModelledTimeLoop)
@@ -71,7 +71,7 @@ def test_the_clock_stands_still_while_a_model_computes(host_time: bool) -> None:
 
 
 @on_simulated_time
-async def test_the_world_moves_inside_the_waiting_and_at_its_own_instants() -> None:
+async def test_timers_of_the_world_run_during_waits_at_their_own_instants() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     seen: list[float] = []
@@ -90,7 +90,7 @@ async def test_the_world_moves_inside_the_waiting_and_at_its_own_instants() -> N
 
 
 @on_simulated_time
-async def test_each_part_of_the_world_has_its_timer_also_where_another_one_takes_it_away() -> None:
+async def test_each_part_of_the_world_has_a_timer_that_another_part_may_cancel() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     seen: list[str] = []
@@ -107,7 +107,7 @@ async def test_each_part_of_the_world_has_its_timer_also_where_another_one_takes
 
 
 @on_simulated_time
-async def test_what_is_given_to_a_thread_is_done_at_once() -> None:
+async def test_work_for_a_thread_runs_at_once() -> None:
     loop = asyncio.get_running_loop()
     assert await loop.run_in_executor(None, divmod, 7, 2) == (3, 1)
     with pytest.raises(ZeroDivisionError):

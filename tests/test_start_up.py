@@ -1,4 +1,4 @@
-"""Slow modules are imported by those who use them, and never while samples and answers are taken."""
+"""Slow modules are imported only by calls that need them, and never while samples and answers arrive."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 SERVER = Path(__file__).parent / "transport" / "serve.py"
 SLOW = {"anyio", "numpy", "pydantic", "rich"}
 MODULES_OF_ITS_OWN = 63
-"""Most modules that `import unity_link` may bring beside asyncio, msgspec and fastcrc."""
+"""Most modules that `import unity_link` may load besides asyncio, msgspec and fastcrc."""
 
 COMMAND = """
 import contextlib, sys
@@ -36,7 +36,7 @@ def printed(code: str, *arguments: str) -> list[str]:
 
 @pytest.fixture(scope="module")
 def pty() -> Iterator[str]:
-    """Serve a gateway on a pseudo-terminal of another process."""
+    """Serve a gateway on a pseudo-terminal of another process; yield its path."""
     command = [sys.executable, str(SERVER), "serial", "", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
@@ -58,14 +58,14 @@ def test_the_package_brings_few_modules() -> None:
     assert SLOW.isdisjoint(loaded)
 
 
-def test_the_rooms_that_programs_use_are_there_and_imported_when_they_are_asked_for() -> None:
+def test_public_packages_are_attributes_that_are_imported_on_first_use() -> None:
     assert printed(
         "import sys, unity_link; print('unity_link.data' in sys.modules);"
         "print(unity_link.data.Group.__name__, unity_link.blocking.connect.__name__, hasattr(unity_link, 'dta'))"
     ) == ["False", "Group", "connect", "False"]
 
 
-def test_single_words_are_read_written_posted_and_fenced_without_what_is_slow_to_import(url: str) -> None:
+def test_single_words_are_transferred_without_slow_imports(url: str) -> None:
     loaded = printed(
         """
         import asyncio, sys
@@ -88,7 +88,7 @@ def test_single_words_are_read_written_posted_and_fenced_without_what_is_slow_to
     assert SLOW.isdisjoint(loaded)
 
 
-def test_the_blocking_face_reads_single_words_without_what_is_slow_to_import(url: str) -> None:
+def test_blocking_api_reads_single_words_without_slow_imports(url: str) -> None:
     loaded = printed(
         """
         import sys
@@ -120,7 +120,7 @@ def test_the_blocking_face_reads_single_words_without_what_is_slow_to_import(url
         "async with link.subscribe([1, 2]) as samples: await samples.publish(); await anext(samples)",
     ],
 )
-def test_numpy_is_imported_by_the_call_that_needs_it_before_it_sends_anything(call: str, pty: str) -> None:
+def test_numpy_is_imported_by_the_call_that_needs_it_before_it_sends_data(call: str, pty: str) -> None:
     code = f"""
 import asyncio, sys
 import unity_link
@@ -164,7 +164,7 @@ def test_a_server_has_numpy_from_the_start() -> None:
         ("read sim: 0x10 3", {"numpy"}),
     ],
 )
-def test_a_command_imports_what_it_uses(arguments: str, needs: set[str]) -> None:
+def test_command_imports_only_modules_that_it_uses(arguments: str, needs: set[str]) -> None:
     loaded = printed(COMMAND, *arguments.split())
     assert SLOW.intersection(loaded[loaded.index("modules:") :]) == needs
 
@@ -177,5 +177,5 @@ def test_a_command_imports_no_other_family() -> None:
     }
 
 
-def test_the_protocol_has_no_other_name_than_its_own() -> None:
+def test_unknown_attribute_of_the_wire_package_is_missing() -> None:
     assert not hasattr(wire, "matrices")

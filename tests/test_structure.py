@@ -1,4 +1,4 @@
-"""The package keeps its structure: one concept has one name, and imports run one way."""
+"""The package keeps its structure: each concept has one name, and imports have one direction."""
 
 import ast
 from collections import defaultdict
@@ -9,11 +9,11 @@ from support.import_circles import circles
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "unity_link"
 MOST_SHARED_NAMES = 10
-"""Class names that may stand in two files, where both are clear from their place."""
+"""Most class names that may occur in two files; the package makes the meaning of each clear."""
 
 
 def shared_class_names(package: Path) -> dict[str, list[str]]:
-    """Return the names of classes that stand in several files, with the files; none that begins with ``_``."""
+    """Return the public class names that occur in several files, with the files."""
     files = defaultdict(set)
     for path in package.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text())):
@@ -25,7 +25,7 @@ def shared_class_names(package: Path) -> dict[str, list[str]]:
 def test_few_classes_share_their_name_with_one_of_another_file() -> None:
     shared = shared_class_names(PACKAGE)
     listing = "\n".join(f"{name}: {', '.join(places)}" for name, places in shared.items())
-    assert len(shared) <= MOST_SHARED_NAMES, f"more than {MOST_SHARED_NAMES} class names stand twice:\n{listing}"
+    assert len(shared) <= MOST_SHARED_NAMES, f"more than {MOST_SHARED_NAMES} class names occur in two files:\n{listing}"
 
 
 def test_a_class_name_in_two_files_is_found(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""The gateware's tools show what they are for, and refuse what they do not know, before they do anything."""
+"""The gateware's tools print their purpose, and refuse unknown arguments before they do any work."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def test_a_tool_shows_its_usage_and_refuses_an_unknown_option(tool: str) -> None
         assert "Traceback" not in done.stderr
 
 
-def test_a_file_that_is_not_there_is_told_in_a_sentence() -> None:
+def test_missing_file_is_reported_in_one_sentence() -> None:
     command = [sys.executable, "-m", "gateware.tools.subset", "no_such_file.vhd"]
     done = subprocess.run(command, cwd=GATEWARE.parent, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 1

@@ -1,6 +1,6 @@
-"""A link under trio: the same calls and promises, in an ``async with`` block.
+"""A link under trio: the same calls and guarantees, in an ``async with`` block.
 
-The link's own suite runs on it as well (tests/support/faces.py).
+The tests of links run on it as well (tests/support/faces.py).
 """
 
 import gc
@@ -35,7 +35,7 @@ ROBOT = unity_link.load(
 
 
 def run(program: Callable[[], Awaitable[object]]) -> None:
-    """Run a program under trio, and no longer than a minute."""
+    """Run a program under trio, for at most a minute."""
 
     async def limited() -> None:
         with trio.fail_after(60):
@@ -46,7 +46,7 @@ def run(program: Callable[[], Awaitable[object]]) -> None:
 
 @pytest.fixture(params=["unix", "tcp", "udp", "pty"])
 def served(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
-    """Return the URL of a gateway in the event loop of another thread."""
+    """Serve a gateway in the event loop of another thread; yield its URL."""
 
     @asynccontextmanager
     async def serving() -> AsyncIterator[str]:
@@ -60,7 +60,7 @@ def served(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
         yield url
 
 
-def test_words_blocks_batches_and_samples_come_on_every_medium(served: str) -> None:
+def test_words_blocks_batches_and_samples_work_on_every_medium(served: str) -> None:
     async def program() -> None:
         async with unity_link.connect(served) as link:
             await link.write(0x0A, 0x12)
@@ -134,7 +134,7 @@ def test_samples_over_several_gateways_are_refused_in_a_sentence() -> None:
     run(program)
 
 
-def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> None:
+def test_callback_cancelled_at_once_does_not_affect_the_next_one() -> None:
     async def program() -> None:
         async with unity_link.connect(VirtualGateway()) as link:
             state = ROBOT(link).groups["state"]
@@ -149,12 +149,12 @@ def test_a_callback_that_is_cancelled_at_once_leaves_the_next_one_alone() -> Non
             assert sequences == list(range(len(sequences)))
             samples = link.statistics.samples
             await trio.sleep(0.1)
-            assert link.statistics.samples == samples, "nothing is published to nobody"
+            assert link.statistics.samples == samples, "no sample is published without a subscriber"
 
     run(program)
 
 
-def test_an_error_in_the_block_comes_as_it_is() -> None:
+def test_error_in_the_block_is_raised_unchanged() -> None:
     async def program() -> None:
         with pytest.raises(ZeroDivisionError):
             async with unity_link.connect("sim:"):
@@ -166,7 +166,7 @@ def test_an_error_in_the_block_comes_as_it_is() -> None:
     run(program)
 
 
-def test_without_a_block_it_says_what_to_write() -> None:
+def test_connect_without_a_block_is_an_error_that_asks_for_async_with() -> None:
     async def program() -> None:
         with pytest.raises(unity_link.ArgumentError, match="write `async with"):
             await unity_link.connect("sim:")
@@ -207,7 +207,7 @@ def test_a_gateway_that_goes_away_is_a_lost_link(tmp_path: Path) -> None:
     run(program)
 
 
-def test_each_task_hears_of_its_own_posted_writes_and_any_of_those_of_tasks_that_are_over() -> None:
+def test_fence_raises_for_posted_writes_of_its_own_task_and_of_ended_tasks() -> None:
     async def post_and_stay(link: unity_link.Link, posted: trio.Event, heard: trio.Event) -> None:
         await link.post(5, 1)
         posted.set()

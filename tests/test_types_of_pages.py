@@ -1,7 +1,7 @@
-"""The programs of the pages have types: mypy --strict and pyright find nothing in them, and see wrong ones elsewhere.
+"""The programs of the pages are typed: mypy --strict and pyright find no faults in them, and find those of wrong ones.
 
-The blocks of a page are one program, as its reader types them one by one; those under the name of a file are
-files. Where a program loads a spec it gets the generated class of it here, so that each signal has its type.
+The blocks of a page are one program, as its reader types them one by one; blocks with the name of a file are files.
+The generated class of a spec replaces each call that loads the spec, so that each signal has its type.
 """
 
 from __future__ import annotations
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[1]
 LOAD = re.compile(r"unity_link\.load\((?:\"([\w/.]+)\"|path|compile_text\(\w+\))\)")
-"""Lines in which a spec is loaded: by its path, or as the text that stands before."""
+"""Matches a call that loads a spec, by its path or from the text before the call."""
 TEXT = re.compile(r'= """\n(public .*?)"""', re.DOTALL)
 UNTYPED = ("Argument", "Member", "Variable")
-"""Rules of pyright on packages without types."""
+"""Rules of pyright that packages without types break."""
 MACHINE = """\
 enum mode { idle, balance }
 public machine() {
@@ -88,9 +88,9 @@ async def main(link: unity_link.Link) -> None:
 
 
 def write_module(text: str, folder: Path, path: Path | None = None) -> tuple[str, str]:
-    """Write the module of a spec into a package of its own; return the module's name, and its robot's.
+    """Write the generated module of a spec into its own package; return the names of the module and the robot's class.
 
-    Cores of a spec stand beside its path.
+    The cores of the spec are found relative to `path`.
     """
     spec = compile_text(text, path=path)
     package = f"spec_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
@@ -99,12 +99,12 @@ def write_module(text: str, folder: Path, path: Path | None = None) -> tuple[str
 
 
 def folder_of(page: Path, folder: Path) -> Path:
-    """Return where the programs of a page are written."""
+    """Return the folder for the programs of a page."""
     return folder / f"page_{page.stem.replace('-', '_').lower()}"
 
 
 def write_programs(page: Path, folder: Path) -> None:
-    """Write the programs of a page into a folder named like it, their lines where the page has them."""
+    """Write the programs of a page into the page's folder, each line at its line number on the page."""
     specs: dict[str, str] = {}
     programs: dict[str, list[str]] = {}
     for block in blocks(page):
@@ -126,7 +126,7 @@ def write_programs(page: Path, folder: Path) -> None:
 
 
 def with_classes(program: str, specs: dict[str, str], folder: Path, own: Path) -> str:
-    """Return a program of a page with the generated class of each spec in place of the one that is loaded."""
+    """Return a program in which the generated class of each spec replaces the call that loads it."""
     before = TEXT.search(program)
     imports: set[str] = set()
 
@@ -143,14 +143,14 @@ def with_classes(program: str, specs: dict[str, str], folder: Path, own: Path) -
         return f"{module}.{robot}"
 
     program = LOAD.sub(generated, program)
-    # The first line of a page is a title, and never one of a program.
+    # The first line of a page is its title, so that no program begins there.
     return "; ".join(sorted(imports)) + program
 
 
 def by_mypy(folder: Path) -> list[str]:
-    """Return what mypy finds in the programs of all folders in this one."""
+    """Return the faults that mypy finds in the programs of all folders in `folder`."""
     options = ["--strict", "--config-file=", f"--cache-dir={ROOT / '.mypy_cache'}", "--explicit-package-bases"]
-    # A page's next program is called `main` like the one before, and some packages have no types.
+    # Each program of a page defines `main` again, and some packages have no types.
     options += ["--disable-error-code=no-redef", "--disable-error-code=import-untyped"]
     places = [folder, folder / "own", *(folder_of(Path(page), folder) for page in WALKTHROUGHS), ROOT]
     done = subprocess.run(
@@ -166,11 +166,11 @@ def by_mypy(folder: Path) -> list[str]:
 
 
 def by_pyright(folder: Path) -> list[str]:
-    """Return what pyright finds in the programs of all folders in this one, as mypy does."""
+    """Return the faults that pyright finds in the programs of all folders in `folder`."""
     settings = {
         "typeCheckingMode": "strict",
         "extraPaths": [str(folder), str(ROOT)],
-        # As for mypy; and a page imports for its reader.
+        # As for mypy; besides, a page imports names for its reader that its own blocks do not use.
         **dict.fromkeys(
             ["reportRedeclaration", "reportMissingTypeStubs", *map("reportUnknown{}Type".format, UNTYPED)], False
         ),
@@ -194,7 +194,7 @@ def by_pyright(folder: Path) -> list[str]:
 
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a folder with the programs of all pages, and of this file."""
+    """Return a folder with the programs of all pages, and those of this file."""
     folder = tmp_path_factory.mktemp("programs")
     for page in PAGES:
         write_programs(page, folder)
@@ -207,7 +207,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("check", [by_mypy, by_pyright])
-def test_programs_of_the_pages_have_types_and_what_is_wrong_is_seen(
+def test_programs_of_the_pages_are_typed_and_wrong_ones_are_found(
     check: Callable[[Path], list[str]], programs: Path
 ) -> None:
     found = check(programs)

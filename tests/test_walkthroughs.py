@@ -1,4 +1,4 @@
-"""Walkthroughs do what they say, followed from an empty folder as their reader follows them."""
+"""Walkthroughs work as their readers follow them, from an empty folder."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def test_a_page_is_right_from_an_empty_folder_to_its_end(page: str, tmp_path: Pa
     assert not list(tmp_path.glob("*.sock"))
 
 
-def test_the_rover_goes_from_nothing_to_a_plot_and_a_test_on_a_page_of_135_lines() -> None:
+def test_rover_tutorial_reaches_a_plot_and_a_test_within_135_lines() -> None:
     lines = ROVER.read_text(encoding="utf-8").splitlines()
     assert len(lines) <= 135
     assert max(map(len, lines)) <= 130
@@ -33,14 +33,14 @@ def test_the_rover_goes_from_nothing_to_a_plot_and_a_test_on_a_page_of_135_lines
         ("$ cat goodbye.txt", "`cat goodbye.txt` exits with 1: cat: goodbye.txt: No such file"),
     ],
 )
-def test_a_page_that_is_wrong_is_told(block: str, words: str, tmp_path: Path) -> None:
+def test_wrong_page_is_reported(block: str, words: str, tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text(f"**`hello.txt`**\n```text\nhello\n```\n\n```console\n{block}\n```\n")
     with pytest.raises(AssertionError, match=words):
         follow(page, tmp_path)
 
 
-def test_what_is_not_ready_in_the_other_terminal_is_told(tmp_path: Path) -> None:
+def test_missing_output_in_the_other_terminal_is_reported(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
     page.write_text("**Terminal 2**\n```console\n$ cat goodbye.txt\nready\n```\n")
     with pytest.raises(AssertionError, match=r"prints\n\nwhere the page says\nready"):

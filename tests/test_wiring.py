@@ -1,4 +1,4 @@
-"""The pictures of wiring are those that their script draws, with the ports of the gateware."""
+"""The pictures of wiring are the output of their script, with the ports of the gateware."""
 
 import re
 from pathlib import Path
@@ -13,7 +13,7 @@ WIRING = sorted(name for name in PICTURES if name.startswith(("wiring-", "core-"
 
 
 @pytest.mark.parametrize("name", WIRING)
-def test_a_picture_is_what_its_script_draws(name: str, tmp_path: Path) -> None:
+def test_picture_is_the_output_of_its_script(name: str, tmp_path: Path) -> None:
     PICTURES[name](tmp_path / name)
     assert (tmp_path / name).read_text(encoding="utf-8") == (IMAGES / name).read_text(encoding="utf-8")
 

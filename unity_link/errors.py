@@ -311,7 +311,7 @@ class Sealed(OfLink, metaclass=_Sealing):
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(name) if name.startswith("_") else missing(self, name, self._called())
 
-    def _data(self) -> tuple[Any, ...] | None:
+    def _data(self) -> tuple[object, ...] | None:
         """Return the arguments that make a copy; None if the object belongs to a link and cannot be copied."""
         return None
 

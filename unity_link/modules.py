@@ -58,18 +58,18 @@ def link_under(bus: Bus) -> Link:
     return cast("Link", getattr(bus, "link") if has_link else bus)  # noqa: B009  (the class of `bus` is unknown)
 
 
-def caller_on(link: Link) -> Any:
+def caller_on(link: Link) -> object:
     """Return the calling task or thread, as an argument for `post_for`."""
     return link._caller()  # noqa: SLF001  (for a later call of the link)
 
 
-def post_for(poster: Any, bus: Bus, address: int, value: int) -> Coroutine[Any, Any, None]:
+def post_for(poster: object, bus: Bus, address: int, value: int) -> Coroutine[Any, Any, None]:
     """Post a write so that the `fence` of a task or thread raises its error. A program's own bus has no such method."""
     post = getattr(bus, "_post_for", None)
     return bus.post(address, value) if post is None else post(poster, address, value)
 
 
-def post_many_for(poster: Any, bus: Bus, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
+def post_many_for(poster: object, bus: Bus, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
     """Post many writes for a task or thread, like `post_for`."""
     post = getattr(bus, "_post_many_for", None)
     return bus.post_many(addresses, values) if post is None else post(poster, addresses, values)
@@ -148,7 +148,7 @@ class Module(Sealed):
         """Send a write without waiting for its execution."""
         return self._post(caller_on(self.link), offset, value)
 
-    async def _post(self, poster: Any, offset: int, value: int) -> None:
+    async def _post(self, poster: object, offset: int, value: int) -> None:
         await post_for(poster, self.bus, self.address(offset), value)
 
     async def read_block(self, offset: int, count: int) -> Words:

@@ -108,7 +108,7 @@ class FullStack:
 
     @classmethod
     @asynccontextmanager
-    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[FullStack]:  # noqa: ASYNC109  (handed on)
+    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[FullStack]:
         """Open a link to the virtual chip."""
         async with connect(url, timeout=timeout) as link:
             await link.send_immediate(of_the_link(mode))
@@ -177,7 +177,7 @@ class LowLevel(asyncio.Protocol):
 
     @classmethod
     @asynccontextmanager
-    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[LowLevel]:  # noqa: ASYNC109  (as `FullStack.opened`)
+    async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[LowLevel]:
         """Open the driver of the virtual chip."""
         from unity_link.transport.ft232h import with_libusb
 

@@ -163,7 +163,7 @@ def test_the_properties_are_proved(proof: Proof) -> None:
 
 
 @pytest.mark.parametrize("fault", [*faults()])
-def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
+def test_proof_fails_for_a_fault_in_the_design(fault: tuple[str, str, str]) -> None:
     entity, *replaced = fault
     # Another test checks that the covers are reached without the fault.
     proof = dataclasses.replace(next(proof for proof in PROOFS if proof.name == entity), cover_steps=0)
@@ -172,7 +172,7 @@ def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
     assert "failed assertion" in wrong
 
 
-def test_what_was_found_of_a_design_is_kept_and_a_failure_of_the_tools_is_not(
+def test_proof_results_are_cached_and_failures_of_the_tools_are_not(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     design, ends, runs = tmp_path / "design.v", [0, 0, 2, 16, 0, 0], 0

@@ -97,7 +97,7 @@ def _run(ghdl: Ghdl, work: Path, options: list[str], generics: Mapping[str, obje
 
 
 @pytest.mark.parametrize("generics", AT_THE_LIMIT, ids=str)
-def test_what_is_allowed_is_elaborated(
+def test_generics_within_the_limits_are_elaborated(
     generics: Mapping[str, object], elaborate: Callable[[Mapping[str, object]], None]
 ) -> None:
     check_generics(generics)
@@ -105,7 +105,7 @@ def test_what_is_allowed_is_elaborated(
 
 
 @pytest.mark.parametrize(("generics", "words"), BEYOND, ids=str)
-def test_what_is_refused_is_not_elaborated_and_the_gateware_says_why(
+def test_refused_generics_fail_to_elaborate_with_a_reason(
     generics: Mapping[str, object], words: str, elaborate: Callable[[Mapping[str, object]], None]
 ) -> None:
     with pytest.raises(ArgumentError, match=words):

@@ -16,7 +16,7 @@ from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 _PATH = re.compile(r"(?:rtl|cores)/[\w/]+\.vhd")
 
 
-def test_the_order_has_every_file_once_behind_what_it_uses() -> None:
+def test_compile_order_has_every_file_once_after_its_dependencies() -> None:
     order = in_compile_order()
     assert sorted(order) == sorted(path.relative_to(GATEWARE).as_posix() for path in vhdl_sources())
     known: set[str] = set()
@@ -28,7 +28,7 @@ def test_the_order_has_every_file_once_behind_what_it_uses() -> None:
 
 
 @pytest.mark.parametrize("name", lists())
-def test_what_is_in_the_tree_is_what_is_made_of_it(name: str) -> None:
+def test_lists_in_the_tree_are_up_to_date(name: str) -> None:
     text = (GATEWARE / name).read_text()
     assert text == lists()[name], "run make lists"
     assert list(dict.fromkeys(_PATH.findall(text))) == in_compile_order()

@@ -11,7 +11,7 @@ from gateware.tools.synth import CONFIGURATIONS, unchanged
 GOWIN, GATEMATE = TARGETS["gowin"], TARGETS["gatemate"]
 
 
-def test_cells_are_counted_by_what_they_take() -> None:
+def test_cells_are_counted_by_the_resources_that_they_take() -> None:
     cells = {"LUT1": 1, "LUT4": 2, "MUX2_LUT5": 9, "ALU": 3, "DFFRE": 4, "DFFP": 1, "RAM16SDP4": 5, "GND": 1}
     blocks = {"DPB": 1, "DPX9B": 1, "SDPB": 1, "SDPX9B": 1, "SP": 1, "SPX9": 1}
     assert counted(cells | blocks, GOWIN) == {
@@ -35,7 +35,7 @@ def test_an_unknown_cell_is_refused_by_its_name() -> None:
         counted({"LUT4": 1, "rPLL": 1}, GOWIN)
 
 
-def test_what_was_written_has_each_target_configuration_and_kind() -> None:
+def test_results_have_each_target_configuration_and_kind() -> None:
     found = results()
     assert list(found) == list(MAPPED)
     assert set(MAPPED) <= set(CONFIGURATIONS)
@@ -46,7 +46,7 @@ def test_what_was_written_has_each_target_configuration_and_kind() -> None:
         assert all(cells["registers"] > 0 for cells in written.cells.values())
 
 
-def test_what_was_written_stands_on_the_pages() -> None:
+def test_results_are_on_the_pages() -> None:
     text = filled("ul_fifo_async")
     assert (PAGES / "ul_fifo_async.md").read_text() == text
     for name, target in TARGETS.items():
@@ -56,7 +56,7 @@ def test_what_was_written_stands_on_the_pages() -> None:
 
 
 @pytest.mark.parametrize("name", MAPPED)
-def test_what_was_written_is_of_the_gateware_of_today(name: str) -> None:
+def test_results_belong_to_the_present_gateware(name: str) -> None:
     assert unchanged(results()[name].origin, name, tools_of(name)), "run make synth"
 
 

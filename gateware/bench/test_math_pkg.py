@@ -27,7 +27,7 @@ _ASSERT = """\
     severity failure;"""
 
 
-def test_a_duration_in_cycles_is_rounded_up_and_a_long_one_is_the_largest_number(tmp_path: Path) -> None:
+def test_duration_in_cycles_is_rounded_up_and_limited_to_the_largest_number(tmp_path: Path) -> None:
     rng = random.Random(1)
     cases = [
         (rng.getrandbits(rng.randint(1, 31)), 10 ** rng.choice([3, 6, 9]), rng.getrandbits(30) + 1) for _ in range(200)

@@ -40,7 +40,7 @@ end architecture rtl;
     ],
     ids=["an undefined signal is compared", "an output is undefined", "a source is wrong", "an assertion fails"],
 )
-def test_a_bench_fails_where(statements: str, said: str, tmp_path: Path) -> None:
+def test_bench_fails_for_a_fault_in_the_entity(statements: str, said: str, tmp_path: Path) -> None:
     source = tmp_path / "faulty.vhd"
     source.write_text(_ENTITY.format(statements=statements))
     with pytest.raises(BenchError, match=said):

@@ -98,12 +98,12 @@ TAKEN = {
 
 
 @pytest.mark.parametrize("path", SOURCES, ids=lambda path: path.stem)
-def test_the_gateware_has_nothing_that_a_tool_refuses(path: Path) -> None:
+def test_gateware_uses_only_constructs_that_all_tools_accept(path: Path) -> None:
     assert faults(path.read_text()) == []
 
 
 @pytest.mark.parametrize(("name", "count"), [("scara", 3), ("walker", 10)])
-def test_generated_designs_have_nothing_that_a_tool_refuses(name: str, count: int) -> None:
+def test_generated_designs_use_only_constructs_that_all_tools_accept(name: str, count: int) -> None:
     made = [file for file in generate("vhdl", compile_file(EXAMPLES / f"{name}.ul")) if "_bench" not in file.name]
     # The scara has its signals in a TosNet, which is not part of a generated top.
     assert len(made) == count

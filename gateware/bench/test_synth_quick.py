@@ -28,7 +28,7 @@ end architecture rtl;
 """
 
 
-def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_places_differ() -> None:
+def test_each_top_and_board_is_tried_once_and_boards_alike_share_one_run() -> None:
     tried = [together.split(", ") for together in designs()]
     boards = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
     names = {name for together in tried for name in together}
@@ -43,13 +43,13 @@ def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_pla
     assert ["ulx3s", "ulx3s_85f"] in tried
 
 
-def test_a_name_that_is_none_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_unknown_name_is_an_error(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(sys, "argv", ["synth_quick", "ulx4s"])
     assert main() == 2
     assert capsys.readouterr().err.startswith("no top and no board has 'ulx4s' in its name; there are default, ")
 
 
-def test_what_a_tool_refuses_is_found_and_what_is_right_is_not(
+def test_designs_that_a_tool_refuses_are_found_and_right_ones_pass(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # `faults` would report a missing tool as a fault of the design.

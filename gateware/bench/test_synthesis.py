@@ -87,7 +87,7 @@ def test_the_table_is_that_of_the_figures() -> None:
 
 
 @pytest.mark.slow
-def test_only_what_has_changed_is_placed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_only_changed_designs_are_placed_again(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(CONFIGURATIONS, "tried", Configuration("ul_synchroniser"))
     tools = tools_of("tried", "ice40")
     origin, made_up = origin_of("tried", tools), Result(123_456, 0, {"clk": 1.0})
@@ -132,7 +132,7 @@ def test_the_name_of_verilog_is_that_of_its_code() -> None:
     assert origins.verilog_of('module a;\nwire b;\n$write("// another");\nendmodule') != name
 
 
-def test_the_budget_holds_what_the_project_promises() -> None:
+def test_budget_has_the_limits_that_the_project_guarantees() -> None:
     assert {place: LIMITS[place[1]][place[0]][place[2]] for place in PROMISED} == PROMISED
 
 
@@ -149,7 +149,7 @@ def test_the_table_has_every_configuration_with_its_limits() -> None:
             assert over_budget(name, device, Result(int(logic), int(memory), {"clk": float(mhz)}), LIMITS) == []
 
 
-def test_what_is_beyond_the_budget_is_said_in_a_sentence() -> None:
+def test_result_beyond_the_budget_is_reported_in_one_sentence() -> None:
     limits = {"ice40": {"default": {"logic": 3000, "memory": 20, "fmax_mhz": 60}}}
     within = Result(3000, 20, {"clk": 60.0, "ft_clkout": 10.0})
     assert over_budget("default", "ice40", within, limits) == []
@@ -189,7 +189,7 @@ def test_the_tools_refuse(statements: str, said: str, tmp_path: Path) -> None:
         check("faulty", to_verilog("faulty", extra_sources=[source]))
 
 
-def test_the_tools_take_what_is_right(tmp_path: Path) -> None:
+def test_tools_accept_a_right_design(tmp_path: Path) -> None:
     source = tmp_path / "faulty.vhd"
     source.write_text(_ENTITY.format(statements="s <= not d; q <= s and e;"))
     check("faulty", to_verilog("faulty", extra_sources=[source]))

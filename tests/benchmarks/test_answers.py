@@ -1,6 +1,6 @@
-"""Each benchmark of RESULTS.md that asks what the next release must hold answers, with little work.
+"""Each benchmark of RESULTS.md with a requirement for the next release returns a result, with little work.
 
-How fast anything was is not judged here. Each checks what it has read by itself, and raises where that is wrong.
+Speed is not judged here. Each benchmark checks the words that it has read, and raises an error if one is wrong.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ SMALL = [
     pytest.param(octave_read, {"READS": 5}, marks=[needs_octave, pytest.mark.slow]),
     (gathered_reads, {"AT_ONCE": 4, "ROUNDS": 2}),
     (many_links, {"LINKS": 3, "READS": 12}),
-    # The bare loop has 128 requests under way.
+    # The bare loop has 128 requests in flight.
     (posts, {"POSTS": 256}),
     (batch_posts, {"POSTS": 256}),
 ]

@@ -1,4 +1,4 @@
-"""Conclusions where two revisions answer the same question."""
+"""Conclusions from the comparison of two revisions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def row(ours: str, ratio: str) -> Row:
     ("then", "now", "times_as_quick"),
     [("150,000 reads/s", "300,000 reads/s", 2.0), ("30.0 us", "15.0 us", 2.0), ("1,000 us", "2,000 us", 0.5)],
 )
-def test_a_rate_and_a_time_say_how_many_times_as_quick_it_is(
+def test_rates_and_times_are_compared_as_a_ratio_of_speed(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, then: str, now: str, times_as_quick: float
 ) -> None:
     answers = {tmp_path: row(then, "4.00"), beside.HERE: row(now, "3.00")}
@@ -30,7 +30,7 @@ def test_a_rate_and_a_time_say_how_many_times_as_quick_it_is(
     assert found == beside.Comparison("a question", then, now, 0.75, times_as_quick)
 
 
-def test_what_a_revision_lacks_for_a_benchmark_is_said(tmp_path: Path) -> None:
+def test_benchmark_that_a_revision_cannot_run_is_reported(tmp_path: Path) -> None:
     (tmp_path / "benchmarks").mkdir()
     (tmp_path / "benchmarks" / "__init__.py").touch()
     (tmp_path / "benchmarks" / "asks.py").write_text("import what_is_not_there\n")
@@ -39,7 +39,7 @@ def test_what_a_revision_lacks_for_a_benchmark_is_said(tmp_path: Path) -> None:
     assert beside.why_not(tmp_path, "can") == ""
 
 
-def test_a_revision_that_there_is_not_is_said() -> None:
+def test_missing_revision_is_reported() -> None:
     with pytest.raises(
         SystemExit, match="'nonsense' is no revision of this repository: give a branch, a tag or a hash"
     ):

@@ -1,6 +1,6 @@
-"""The paper's experiment: what is clock-exact and modelled, which is the same in every run.
+"""The paper's experiment: the clock-exact and modelled parts, which are the same in every run.
 
-What the program takes is left out here (no test judges the machine); `make table1` measures it.
+The time of the program is left out, because no test judges the machine; `make table1` measures it.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from unity_link.virtual.rtl.library import load
 if TYPE_CHECKING:
     from benchmarks.paper.stacks import Access, StackName
 
-# `results` is of the model; each measurement of its own is so for the campaign alone.
+# The fixture `results` uses the model; single measurements of the model are for the campaign.
 GATEWAYS = [
     pytest.param("rtl", marks=[pytest.mark.rtl, needs_cxx]),
     pytest.param("model", marks=pytest.mark.campaign),
@@ -54,13 +54,13 @@ def results() -> Results:
     return run_experiment(gateway="model", quick=True, host_time=False)
 
 
-# What is measured
+# Measurements
 
 
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_the_gateware_alone_is_faster_than_the_papers() -> None:
+def test_gateware_without_the_host_is_faster_than_the_papers() -> None:
     figures = measure_gateware([1, 16])
     for cycles, what, access in (
         (figures.read_cycles, published.LATENCY, "read"),
@@ -72,7 +72,7 @@ def test_the_gateware_alone_is_faster_than_the_papers() -> None:
     assert figures.bytes_per_cycle >= 0.975
     answers = published.value(published.ANSWERS, "gateware", "read", "off")
     assert figures.megabits(14, figures.cycles_per_read) * 1e6 >= 1.9 * answers
-    # A block's bytes follow each other in every cycle.
+    # The bytes of a block follow each other without idle cycles.
     for block in figures.blocks:
         assert block.last_cycles - block.first_cycles == 8 * block.words + 8
     for sample in figures.publishing:
@@ -113,21 +113,19 @@ def test_a_single_access_takes_two_microframes_at_most_or_the_latency_timer(benc
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
+def test_gateware_takes_some_microseconds_of_a_single_access() -> None:
     for stack in STACKS:
         for row in measure_latencies(Workbench("rtl", counts_host_time=False), stack, 4):
             assert row.gateware is not None
-            # 20 bytes take 2.5 us at the pins, 24 take 3, those of a block some 18.
+            # 20 bytes take 2.5 us at the pins, 24 bytes 3 us, the bytes of a block about 18 us.
             assert 2.4 <= row.gateware <= (20.0 if row.access == "block" else 4.0)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_rate_of_the_line(
-    bench: Workbench, stack: StackName
-) -> None:
+def test_write_takes_effect_in_a_microframe_and_a_burst_at_the_line_rate(bench: Workbench, stack: StackName) -> None:
     for row in measure_effects(bench, stack, 16):
-        # A transfer begins with the next microframe; that its bytes need to pass the pins is behind it.
+        # A transfer begins with the next microframe; its bytes pass the pins after the effect.
         assert 20 <= row.modelled.mean <= 130
         if bench.gateway == "rtl":
             assert row.burst_modelled == pytest.approx(row.request_bytes / 8, rel=0.01)
@@ -135,7 +133,7 @@ def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_r
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_a_sample_waits_for_the_timer_without_send_immediate_and_for_a_microframe_with_it(stack: StackName) -> None:
+def test_sample_waits_for_the_timer_or_a_microframe_with_send_immediate(stack: StackName) -> None:
     rows = list(measure_arrivals(Workbench("model", counts_host_time=False), stack, 6))
     delays = {row.send_immediate: row.modelled for row in rows}
     assert 5_000 <= delays["off"].mean <= 16_250
@@ -156,7 +154,7 @@ def test_long_bursts_fill_the_line_but_for_posts_without_send_immediate(bench: W
         assert rates[access, "adaptive"] >= 0.95 * rates[access, "off"]
     assert rates["post", "always"] >= 0.95 * LINK
     assert rates["post", "adaptive"] >= 0.95 * LINK
-    # Their confirmation waits in the chip.
+    # Without send immediate, the confirmations of posted writes wait in the chip.
     assert rates["post", "off"] < 0.8 * LINK
 
 
@@ -169,7 +167,7 @@ def test_one_word_is_published_at_30_khz_with_none_lost(bench: Workbench) -> Non
 
 @pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
-def test_the_limit_of_publishing_is_near_what_the_line_carries_and_higher_for_a_while(stack: StackName) -> None:
+def test_publishing_limit_is_near_the_line_rate_and_a_burst_may_exceed_it(stack: StackName) -> None:
     for limit in measure_limits(Workbench("model", counts_host_time=False), stack, [4, 64]):
         assert 0.7 * limit.line <= limit.modelled <= 1.001 * limit.line
         assert limit.modelled <= limit.burst_modelled <= 1e6
@@ -198,7 +196,7 @@ def test_longer_bursts_take_longer_and_move_more(bench: Workbench) -> None:
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_by_the_gateways_clock_a_short_burst_is_read_faster_than_the_line_sends_it() -> None:
+def test_short_burst_is_read_faster_than_the_line_by_the_gateway_clock() -> None:
     rows = {(row.send_immediate, row.count): row for row in measure_stamps(Workbench("rtl"), [18, 200])}
     for mode in MODES:
         assert rows[mode, 18].mean_megabits > 1.5 * LINK
@@ -217,7 +215,7 @@ def test_gateware_and_model_differ_by_less_than_a_microframe() -> None:
 
 
 @pytest.mark.slow
-def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -> None:
+def test_modelled_results_are_exactly_repeatable(bench: Workbench) -> None:
     found = [
         [
             *measure_latencies(bench, "full stack", 6),
@@ -229,12 +227,12 @@ def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -
     assert found[0] == found[1]
 
 
-# All of it
+# The whole experiment
 
 
 @pytest.mark.slow
-def test_all_that_must_hold_holds_without_the_programs_time(results: Results) -> None:
-    # The bursts of a quick run are so short that the last microframe counts.
+def test_all_checks_pass_without_the_time_of_the_program(results: Results) -> None:
+    # The bursts of a quick run are so short that the last microframe matters.
     assert [row for row in results.checks if not row.met and "burst" not in row.what and "many" not in row.what] == []
     assert results.gateware is None
     assert results.parameters.quick
@@ -247,7 +245,7 @@ def test_results_are_json_that_reads_back_as_the_same(results: Results) -> None:
     assert set(schema["$defs"]["Results"]["required"]) == set(Results.__struct_fields__)
 
 
-def test_a_figure_that_is_worse_than_it_must_be_is_told(results: Results) -> None:
+def test_figure_beyond_its_limit_is_reported(results: Results) -> None:
     slow = [
         msgspec.structs.replace(row, total=msgspec.structs.replace(row.total, median=3 * row.total.median))
         for row in results.latencies
@@ -256,14 +254,14 @@ def test_a_figure_that_is_worse_than_it_must_be_is_told(results: Results) -> Non
     lost = msgspec.structs.replace(results.sustained, lost=1)
     spoilt = check(msgspec.structs.replace(results, latencies=slow, throughputs=few, sustained=lost))
     failed = {row.what for row in spoilt if not row.met}
-    # The gateware's and the modelled ones were not touched, so they still decide that the command succeeds.
+    # The checks of the gateware and of modelled rows were not changed, so they still decide the exit code.
     assert all(row.measured for row in spoilt if not row.met and row not in results.checks)
     assert {"read_many, adaptive", "post_many, adaptive"} <= failed
     assert sum("read through the link" in what for what in failed) == 6
     assert sum("published" in what for what in failed) == 1
 
 
-def test_the_three_parts_of_an_access_add_up_to_all_of_it(results: Results) -> None:
+def test_sum_of_the_three_parts_of_an_access_is_its_time(results: Results) -> None:
     later = [msgspec.structs.replace(row.modelled, median=row.modelled.median + 40) for row in results.latencies]
     parts = [
         msgspec.structs.replace(row, gateware=2.5, total=total)
@@ -277,7 +275,7 @@ def test_the_three_parts_of_an_access_add_up_to_all_of_it(results: Results) -> N
 @pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
-def test_all_of_the_papers_table_1_stands_beside_ours(results: Results) -> None:
+def test_table_1_of_the_paper_is_complete_beside_ours(results: Results) -> None:
     latencies = [msgspec.structs.replace(row, gateware=2.64) for row in results.latencies]
     whole = msgspec.structs.replace(results, gateware=measure_gateware([1, 16]), latencies=latencies)
     for access in ("read", "write"):
@@ -314,7 +312,7 @@ def test_every_operation_has_a_table_without_and_with_send_immediate(results: Re
         assert f"\n## {heading}\n" in page
 
 
-def test_each_medium_is_there_with_both_fifos_and_none_is_faster_than_its_line(results: Results) -> None:
+def test_each_medium_has_both_fifo_sizes_and_none_exceeds_its_line_rate(results: Results) -> None:
     assert len({(row.medium, row.fifo_bytes) for row in results.media}) == len(results.media) == 10
     for row in results.media:
         assert 0 < row.answers_megabits <= 1.03 * row.line_megabits
@@ -355,12 +353,12 @@ def test_a_report_is_a_page_with_its_pictures_and_the_data(results: Results, tmp
     assert reason == ""
     assert all(file.read_bytes().startswith(b"\x89PNG\r\n") for file in files[2:])
     assert "](figure3.png)" in files[0].read_text()
-    # The same figures give the same pictures.
+    # Equal results give equal pictures.
     assert [file.read_bytes() for file in draw(results, tmp_path)] == [file.read_bytes() for file in files[2:]]
     assert msgspec.json.decode(files[1].read_bytes(), type=Results) == results
 
 
-def test_without_matplotlib_there_is_a_page_that_shows_no_picture(
+def test_page_without_pictures_is_written_without_matplotlib(
     results: Results, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)

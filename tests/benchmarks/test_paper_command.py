@@ -37,7 +37,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     ],
     ids=["an unknown gateway", "no folder", "an unknown option", "too much", "a file", "below a file"],
 )
-def test_wrong_use_is_told_before_anything_is_measured(arguments: list[str], words: str) -> None:
+def test_wrong_use_is_reported_before_any_measurement(arguments: list[str], words: str) -> None:
     done = run(*arguments)
     assert done.returncode == 2
     assert words in " ".join((done.stdout + done.stderr).replace("│", " ").split())

@@ -1,4 +1,4 @@
-"""The page about peers: what is quicker elsewhere comes first, and what was written by hand stays."""
+"""The page about peers: measurements in which a peer is quicker come first, and text written by hand is kept."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ FINISHES = [
 ]
 
 
-def test_what_is_quicker_elsewhere_is_said_before_the_table_the_quickest_first() -> None:
+def test_report_begins_with_the_peers_that_are_quicker_the_quickest_first() -> None:
     first, _, table = text(FINISHES, "a machine", 7, "peers.png").partition("## All of it")
     assert [line for line in first.splitlines() if line.startswith("- ")] == [
         "- quickest, a block on UDP: 9 words/s, **3.0 times** as quick as ours.",
@@ -30,7 +30,7 @@ def test_what_is_quicker_elsewhere_is_said_before_the_table_the_quickest_first()
     assert "| a read | UDP | slow | 40.0 µs | 25% | 0.50 times ours |" in table
 
 
-def test_a_run_in_which_nothing_was_quicker_says_so() -> None:
+def test_report_states_if_no_peer_was_quicker() -> None:
     assert "Nothing was in this run." in text(FINISHES[:2], "a machine", 7, "peers.png")
 
 
@@ -57,7 +57,7 @@ def test_the_ratio_is_the_median_of_those_within_a_round() -> None:
     assert (peer.figure, peer.ratio) == ("0 reads/s", 2.0)
 
 
-def test_bytes_of_the_wire_are_compared_where_both_tell_them() -> None:
+def test_bytes_on_the_wire_are_compared_if_both_sides_report_them() -> None:
     ways = [
         Contender("ours", lambda: 1.0, wire=8.0),
         Contender("terse", lambda: 0.5, "ours", wire=4.0),

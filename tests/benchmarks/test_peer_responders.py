@@ -1,6 +1,6 @@
-"""The responders of the peers, by their bytes: each answers a read, a write and a block as the peer's protocol has it.
+"""The responders of the peers: each answers a read, a write and a block with the bytes of the peer's protocol.
 
-The peers themselves are tried by the benchmark, which alone installs them.
+The benchmark tests the peers themselves, because only its environment has them installed.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from support.compilers import needs_c
 
 pytestmark = needs_c
 PATIENCE = 60
-"""Seconds until a test fails whose answer does not come."""
+"""Seconds after which a test without an answer fails."""
 
 
 def ask_stream(descriptor: int, request: bytes, size: int) -> bytes:
-    """Write a request, and return its answer of so many bytes."""
+    """Write a request; return an answer of `size` bytes."""
     os.write(descriptor, request)
     answer = b""
     while len(answer) < size:
@@ -30,7 +30,7 @@ def ask_stream(descriptor: int, request: bytes, size: int) -> bytes:
 
 
 def with_crc(frame: bytes) -> bytes:
-    """Return a frame of Modbus RTU: its CRC stands behind it, the lower byte first."""
+    """Return a frame of Modbus RTU followed by its CRC, the lower byte first."""
     crc = 0xFFFF
     for byte in frame:
         crc ^= byte
@@ -58,7 +58,7 @@ def test_it_answers_the_uart_bridge_of_litex() -> None:
 def test_it_answers_modbus_rtu() -> None:
     over_pty(
         "modbus-rtu",
-        # The request and its CRC are those of the specification's example of many manuals.
+        # The first request and its CRC are the example of the specification that many manuals repeat.
         (bytes.fromhex("01 03 0000 000A C5CD"), with_crc(bytes.fromhex("01 03 14") + words_as_registers(0, 5))),
         (with_crc(bytes.fromhex("01 06 0021 BEEF")), with_crc(bytes.fromhex("01 06 0021 BEEF"))),
         (

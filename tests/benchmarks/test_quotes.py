@@ -1,7 +1,8 @@
-"""Quotes of the paper in the documents: each figure is one of `benchmarks.paper.published`.
+"""Quotations of the paper in documents: each figure is in `benchmarks.paper.published`.
 
-A quotation is a number with a unit, between the word "paper" and the end of its sentence or of its cell; and in a
-table, all of a column of which the head has that word. It may be rounded, and may have another unit of the same kind.
+A quotation is a number with a unit between the word "paper" and the end of its sentence or table cell, or any number
+with
+a unit in a table column whose head has that word. It may be rounded, and may use another unit of the same kind.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[2]
 SUFFIXES = {".md", ".py", ".ul", ".ipynb", ".vhd", ".toml"}
-# Of each unit: how many of the paper's it is.
+# For each unit: the unit of the paper, and the factor to convert it.
 UNITS: dict[str, tuple[str, float]] = {
     **dict.fromkeys(("s",), ("us", 1e6)),
     "ms": ("us", 1e3),
@@ -43,7 +44,7 @@ UNITS: dict[str, tuple[str, float]] = {
 }
 NUMBER = r"(?<![\w.,#])(\d{1,3}(?:,\d{3})+(?:\.\d+)?|\d+(?:\.\d+)?)"
 FIGURE = re.compile(rf"{NUMBER}[ \u00a0-]?({'|'.join(sorted(map(re.escape, UNITS), key=len, reverse=True))})(?!\w)")
-# A link's address ends nothing, and a file's name that has the word is no quotation.
+# A dot within a link's address does not end a quotation, and a file name with the word begins none.
 PROSE = re.compile(r"\bpaper\b(?![\w./]*\.(?:md|py)|/)(.*?)(?=[.;:!?](?:\s|$)|\||\n\s*\n|$(?![\s\S]))", re.DOTALL)
 
 
@@ -55,7 +56,7 @@ class Quote(NamedTuple):
 
     @property
     def right(self) -> bool:
-        """Return whether the paper has it, rounded to as many digits."""
+        """Return True if the paper has the figure, rounded to as many digits."""
         values = [value for row in FIGURES if row.unit == self.unit for value in (row.value, row.deviation or 0.0)]
         return any(abs(value - self.value) <= self.precision * (0.5 + 1e-9) for value in values)
 
@@ -94,7 +95,7 @@ def documents() -> list[Path]:
 
 
 @pytest.mark.parametrize("file", documents(), ids=lambda file: str(file.relative_to(ROOT)))
-def test_what_is_quoted_of_the_paper_is_in_it(file: Path) -> None:
+def test_quotations_of_the_paper_have_its_figures(file: Path) -> None:
     wrong = [quote.text for quote in quotes_in(file.read_text()) if not quote.right]
     assert not wrong, (
         f"{file.relative_to(ROOT)} quotes of the paper: {', '.join(wrong)}; benchmarks/paper/published.py has no such "
@@ -102,7 +103,7 @@ def test_what_is_quoted_of_the_paper_is_in_it(file: Path) -> None:
     )
 
 
-def test_the_documents_that_quote_it_are_looked_at() -> None:
+def test_documents_that_quote_the_paper_are_checked() -> None:
     names = {str(file.relative_to(ROOT)) for file in documents()}
     assert {"README.md", "docs/paper.md", "docs/gateware.md", "docs/how-to/ft232h.md", "benchmarks/TABLE1.md"} <= names
     for name in ("docs/paper.md", "docs/gateware.md", "benchmarks/TABLE1.md"):
@@ -132,7 +133,7 @@ def test_a_quotation_that_is_not_the_papers_is_found(text: str, wrong: list[str]
     assert [quote.text for quote in quotes_in(text) if not quote.right] == wrong
 
 
-def test_all_of_table_1_is_there_once() -> None:
+def test_each_figure_of_table_1_is_listed_once() -> None:
     keys = [(row.what, row.level, row.access, row.mode) for row in FIGURES]
     assert len(keys) == len(set(keys))
     assert {(row.access, row.mode): len(rows_of(row.place)) for row in TABLE_1} == {

@@ -1,4 +1,4 @@
-"""The responder of the benchmarks: a gateway in C, of whatever widths it is told to have."""
+"""The responder of the benchmarks: a gateway in C with any field widths."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ WIDTHS = [
 ]
 
 STUFFED = 0xB5CAD30A
-"""Word of bytes that the compact form escapes."""
+"""Word whose bytes the compact form must escape."""
 
 
 async def work(url: str, info: unity_link.GatewayInfo) -> None:
@@ -37,7 +37,7 @@ async def work(url: str, info: unity_link.GatewayInfo) -> None:
 
 @pytest.mark.parametrize("form", [Feature(0), Feature.COMPACT], ids=["text", "compact"])
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
-def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo, form: Feature) -> None:
+def test_responder_answers_a_link_with_the_given_widths(info: unity_link.GatewayInfo, form: Feature) -> None:
     info = msgspec.structs.replace(info, features=info.features | form)
     with responder(info) as path:
         asyncio.run(work(f"serial:{path}", info))
@@ -56,7 +56,7 @@ async def read_once_more(url: str) -> None:
 
 
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
-def test_the_bare_loop_is_given_the_bytes_that_the_responder_sends(info: unity_link.GatewayInfo) -> None:
+def test_bare_loop_gets_the_bytes_of_the_responder(info: unity_link.GatewayInfo) -> None:
     async def work(path: str) -> bytes:
         loop = asyncio.get_running_loop()
         reader = asyncio.StreamReader()

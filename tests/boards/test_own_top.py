@@ -1,4 +1,4 @@
-"""A top of a user's own on a board: its ports are pins, and whatever is wrong is one sentence that names it."""
+"""A user's own top on a board: its ports are pins, and each fault is reported in one sentence with its name."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ begin
   uart_txd <= uart_rxd; led <= (others => btn0 xor unused);
 end architecture;
 """
-"""Without a gateway, so that it is converted quickly."""
+"""An entity without a gateway, so that it is converted quickly."""
 
 
 def scalar(name: str, way: str = "input") -> Port:
@@ -72,11 +72,11 @@ def own(folder: Path, text: str = SMALL, name: str = "small.vhd") -> Own:
     return read_own(files(folder, text, name))
 
 
-# Which pin a port is
+# The pin of each port
 
 
 @given(st.data())
-def test_each_bit_of_a_port_is_the_pin_that_the_board_has_under_its_name_and_number(data: st.DataObject) -> None:
+def test_each_bit_of_a_port_is_the_board_pin_of_its_name_and_number(data: st.DataObject) -> None:
     name = data.draw(st.sampled_from(board_names()))
     _, board = load_board(name)
     rows = data.draw(st.lists(st.sampled_from([*board.io]), unique=True, min_size=1))
@@ -131,7 +131,7 @@ def test_a_pin_brings_its_pull_and_its_voltage_along() -> None:
         ([*UART, scalar("led0"), vector("led", 0, 1)], r"has led0 and led\[0\] at one pin of ulx3s, B2"),
     ],
 )
-def test_a_port_that_is_no_pin_is_refused_by_name_with_what_the_board_has(ports: list[Port], sentence: str) -> None:
+def test_port_without_a_pin_is_refused_with_the_pins_of_the_board(ports: list[Port], sentence: str) -> None:
     with pytest.raises(ArgumentError, match=rf"^top(?:: | ){sentence}"):
         pins_of("top", tuple(ports), "ulx3s", BOARD)
 
@@ -162,7 +162,7 @@ def test_the_top_in_verilog_takes_a_name_that_is_a_word_of_verilog() -> None:
     assert "\\clk_ready ," not in text.partition(");")[0]
 
 
-def test_a_board_without_io_says_so() -> None:
+def test_board_without_io_is_reported() -> None:
     lonely = Board(**{name: getattr(BOARD, name) for name in BOARD.__struct_fields__} | {"io": {}})
     with pytest.raises(
         ArgumentError, match=r"led0 is no pin of mine, whose file has no \[io\], so that clk, uart_rxd, "
@@ -172,11 +172,11 @@ def test_a_board_without_io_says_so() -> None:
     assert Io(sites=("A1", "A2"), first=4).named("j2") == {"j2_4": "A1", "j2_5": "A2"}
 
 
-# What GHDL reads
+# Ports and generics as GHDL reads them
 
 
 @pytest.mark.rtl
-def test_ports_and_generics_are_those_of_the_entity_and_what_is_never_assigned_is_told(tmp_path: Path) -> None:
+def test_ports_and_generics_of_an_entity_are_read_and_unassigned_reported(tmp_path: Path) -> None:
     top = own(tmp_path)
     found = convert_own(top, {"baud": 9600, "clock_hz": 25_000_000})
     assert (found.module, found.generics) == ("small", {"baud": 9600})
@@ -216,7 +216,7 @@ def test_a_vector_has_the_indexes_that_it_was_declared_with(
         (("btn0 xor", "btn1 xor"), r'12:43: no declaration for "btn1"'),
     ],
 )
-def test_a_fault_in_a_users_file_is_told_with_file_line_and_message(
+def test_fault_in_a_users_file_is_reported_with_file_line_and_message(
     replace: tuple[str, str], sentence: str, tmp_path: Path
 ) -> None:
     with pytest.raises(ConversionError) as raised:
@@ -262,7 +262,7 @@ def test_files_that_are_no_top_are_refused_in_one_sentence(tmp_path: Path) -> No
 
 
 @pytest.mark.rtl
-def test_a_unit_with_the_name_of_one_that_is_made_from_the_spec_or_of_the_gateware_is_refused(tmp_path: Path) -> None:
+def test_unit_with_the_name_of_a_generated_or_gateware_unit_is_refused(tmp_path: Path) -> None:
     for name in ("panel_registers", "ul_uart", "board_reset"):
         other = files(tmp_path, f"entity {name} is end entity;", "other.vhd")
         mine = read_own(files(tmp_path, SMALL, "small.vhd"), [other])
@@ -272,7 +272,7 @@ def test_a_unit_with_the_name_of_one_that_is_made_from_the_spec_or_of_the_gatewa
 
 @pytest.mark.rtl
 @pytest.mark.parametrize("name", ["a b", "x; endmodule", "\xb5", "led0;"])
-def test_an_extended_identifier_is_refused_and_a_word_of_verilog_is_none(name: str, tmp_path: Path) -> None:
+def test_extended_identifier_is_refused_and_a_word_of_verilog_accepted(name: str, tmp_path: Path) -> None:
     text = SMALL.replace("unused", "reg")
     assert convert_own(own(tmp_path, text), {"baud": 1}).module == "small"
     (tmp_path / "small.vhd").write_bytes(text.replace("reg", f"\\{name}\\").encode("latin-1"))
@@ -286,7 +286,7 @@ def test_latin_letters_in_a_file_are_no_fault(tmp_path: Path) -> None:
     assert convert_own(read_own(tmp_path / "small.vhd"), {"baud": 1}).module == "small"
 
 
-# A build
+# A complete build
 
 
 @pytest.mark.rtl
@@ -313,7 +313,7 @@ def test_a_project_has_copies_of_the_users_files_and_the_pins_that_they_use(name
 
 
 @pytest.mark.rtl
-def test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it(tmp_path: Path) -> None:
+def test_build_makes_a_project_of_a_users_top_and_prints_its_warnings(tmp_path: Path) -> None:
     files(tmp_path, PAGE["panel.ul"], "panel.ul")
     files(tmp_path, SMALL.replace("Led", "led").replace("0 to width", "work.p.high downto 0"), "small.vhd")
     files(tmp_path, "package p is constant high : natural := 2; end package;", "p.vhd")
@@ -325,14 +325,14 @@ def test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it(t
 
 
 @pytest.mark.rtl
-def test_a_project_wants_ports_in_small_letters(tmp_path: Path) -> None:
+def test_project_needs_ports_in_small_letters(tmp_path: Path) -> None:
     text = SMALL.replace("0 to width", "2 downto 0")
     with pytest.raises(ArgumentError, match=r"^Vivado distinguishes capitals .*: the port Led was expected as led$"):
         make_project(PANEL, *load_board("arty_a7"), tmp_path / "out", own=own(tmp_path, text))
     assert not (tmp_path / "out").exists()
 
 
-def test_a_further_file_that_is_not_there_is_told_by_its_name(tmp_path: Path) -> None:
+def test_missing_further_file_is_reported_by_name(tmp_path: Path) -> None:
     spec = tmp_path / "panel.ul"
     spec.write_text(PAGE["panel.ul"])
     done = subprocess.run(
@@ -347,7 +347,7 @@ def test_a_further_file_that_is_not_there_is_told_by_its_name(tmp_path: Path) ->
 
 @pytest.mark.slow
 @pytest.mark.rtl
-def test_the_page_of_own_vhdl_makes_a_bitstream_and_an_interrupted_build_leaves_nothing(tmp_path: Path) -> None:
+def test_own_vhdl_page_builds_a_bitstream_and_interruption_leaves_no_files(tmp_path: Path) -> None:
     for name, text in PAGE.items():
         (tmp_path / name).write_text(text)
     (command,) = re.findall(
@@ -355,7 +355,7 @@ def test_the_page_of_own_vhdl_makes_a_bitstream_and_an_interrupted_build_leaves_
     )
     arguments = [PROGRAM, *command.split(), "-o", "out"]
     with subprocess.Popen(arguments, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
-        # One of the tools is at work.
+        # Wait until one of the tools runs.
         while not Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text():
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)

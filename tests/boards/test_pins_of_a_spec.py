@@ -1,4 +1,4 @@
-"""Pins of cores and registers have sites of the board by the board's names; what has none, or two uses, is told."""
+"""Pins of cores and registers get sites by the board's names; a pin without a site, or with two uses, is reported."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ public lamp() {
 
 
 def sites(text: str, board: str = "ulx3s") -> dict[str, str]:
-    """Return the sites of the pins of a spec, without those of the link."""
+    """Return the sites of the pins of a spec, without the pins of the link."""
     pins = generated_pins(Bank(compile_text(text).interface()), board, load_board(board)[1])
     return {name: pin.site for name, pin in pins.items() if not name.startswith(("clk", "uart_"))}
 
@@ -48,12 +48,12 @@ def test_the_spec_of_the_page_is_at_the_sites_of_its_names_and_has_no_chain() ->
     ("change", "sentence"),
     list(zip([(", dir=none", ""), ('"gp2"', '"gp99"'), ('"gp2"', '"gp1"')], REFUSED, strict=True)),
 )
-def test_what_is_wrong_at_the_pins_is_told_as_the_page_says(change: tuple[str, str], sentence: str) -> None:
+def test_faults_at_pins_are_reported_as_on_the_page(change: tuple[str, str], sentence: str) -> None:
     with pytest.raises(ArgumentError, match=f"^{re.escape(sentence).replace(re.escape('...'), '.*')}$"):
         sites(CART.replace(*change))
 
 
-def test_signals_without_a_pin_are_on_a_chain_whose_pins_are_taken() -> None:
+def test_signals_without_a_pin_use_a_chain_whose_pins_are_reserved() -> None:
     chain = {pin: site for pin, site in sites(CHAINED % "led0", "hx8k_breakout").items() if pin.startswith("chain_")}
     assert sorted(chain) == ["chain_clk", "chain_in", "chain_load_n", "chain_out"]
     with pytest.raises(
@@ -64,7 +64,7 @@ def test_signals_without_a_pin_are_on_a_chain_whose_pins_are_taken() -> None:
 
 @pytest.fixture
 def small_board(tmp_path: Path) -> str:
-    """Return the file of a board without pins for a chain of shift registers."""
+    """Return the file of a board that has no pins for a chain of shift registers."""
     lines = (DATA / "hx8k_breakout.toml").read_text().splitlines()
     path = tmp_path / "small.toml"
     path.write_text("\n".join(line for line in lines if not line.startswith("chain_")))

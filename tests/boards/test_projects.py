@@ -1,4 +1,4 @@
-"""Projects of vendors' tools: all files are there, in an order in which GHDL takes them, and every pin has a site."""
+"""Projects for vendors' tools: all files are present, in an order that GHDL accepts, and every pin has a site."""
 
 from __future__ import annotations
 
@@ -43,7 +43,14 @@ def changed(board: Board, **changes: object) -> Board:
 
 
 def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "", slack: str = "-0.1") -> list[tuple[str, ...]]:
-    """Return what a script says to a tool, of which nothing is here but the names of its commands, and a slack."""
+    """Return the commands that a script gives to a tool, which Tcl without the tool records.
+
+    Args:
+        path: of the script.
+        commands: names of the tool's commands.
+        arguments: of the script.
+        slack: slack in ns that the tool reports.
+    """
     said: list[tuple[str, ...]] = []
     tcl = tk.Tcl()
 
@@ -59,13 +66,13 @@ def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "", slack:
         # Quartus writes and reads names of pins such as led[0] without braces.
         tcl.createcommand(str(bit), lambda bit=bit: f"[{bit}]")
     tcl.setvar("argv", arguments)
-    # Not by `cd`, which would move the whole process: the paths of a .qsf, which are relative to it, are joined later.
+    # Do not use `cd`, which would change the folder of the whole process; relative paths of a .qsf are joined later.
     tcl.eval(f"source {path}")
     return said
 
 
 def constrained(opened: Path, board: Board) -> list[tuple[str, ...]]:
-    """Return the constraints of a project for its whole top."""
+    """Return the constraints of a project that apply to its whole top."""
     if board.family == "cyclonev":
         said = evaluated(opened.with_suffix(".qsf"), _QUARTUS)
         paths = [opened.parent / words[3] for words in said if "SDC_FILE" in words]
@@ -75,7 +82,7 @@ def constrained(opened: Path, board: Board) -> list[tuple[str, ...]]:
 
 
 def sources(said: list[tuple[str, ...]], folder: Path) -> dict[str, list[str]]:
-    """Return the VHDL files of each library, in order."""
+    """Return the VHDL files of each library, in the order of compilation."""
     found: dict[str, list[str]] = {}
     for words in said:
         (path,) = [word for word in words if word.endswith(".vhd")] or [""]
@@ -154,7 +161,7 @@ def test_each_pin_has_a_delay_or_is_in_no_clock(name: str, medium: str, tmp_path
 
 
 @pytest.mark.parametrize("medium", ["ft245_sync", "rmii", "mii", "rgmii"])
-def test_clocks_of_a_chip_come_before_the_files_of_entities_that_ask_for_them(medium: str, tmp_path: Path) -> None:
+def test_clock_constraints_precede_the_files_of_entities_that_refer_to_them(medium: str, tmp_path: Path) -> None:
     said = evaluated(make_project(LAMP, "mine", on_medium("arty_a7", medium), tmp_path), _VIVADO)
     is_scoped = ["-ref" in words for words in said if words[0] == "read_xdc"]
     assert is_scoped == sorted(is_scoped)
@@ -173,7 +180,7 @@ def test_a_bitstream_of_vivado_that_misses_its_clock_is_an_error(tmp_path: Path)
     with pytest.raises(tk.TclError, match="lamp_on_uart does not keep its times on Digilent Arty A7-35T"):
         evaluated(opened, _VIVADO, "bitstream")
     asked = [words for words in evaluated(opened, _VIVADO, "bitstream", slack="0.1") if words[0] == "get_runs"]
-    # The first waits for the run; then come the worst setup and the worst hold.
+    # The first command waits for the run; the other two ask for the worst setup and the worst hold slack.
     assert len(asked) == 2
 
 
@@ -181,8 +188,8 @@ HOSTILE_TITLE = 'Arty"; exec touch PWNED; [exec touch PWNED] $x } { #\nexec touc
 
 
 @pytest.mark.parametrize("name", PROJECTS)
-def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
-    # What a title would run is noted, and not run.
+def test_title_is_not_executed_by_the_tool(name: str, tmp_path: Path) -> None:
+    # A title could call `exec`: record the command instead of running it.
     commands = (*(_QUARTUS if load_board(name)[1].family == "cyclonev" else _VIVADO), "exec")
     said = {}
     for kind, title in (("plain", "Arty"), ("hostile", HOSTILE_TITLE)):
@@ -193,7 +200,7 @@ def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
     assert said["hostile"] == said["plain"]
 
 
-def test_a_title_is_told_as_it_is_where_a_clock_is_missed(tmp_path: Path) -> None:
+def test_title_is_printed_unchanged_if_times_are_not_kept(tmp_path: Path) -> None:
     board = changed(load_board("arty_a7")[1], title=HOSTILE_TITLE)
     with pytest.raises(tk.TclError) as raised:
         evaluated(make_project(LAMP, "mine", board, tmp_path), (*_VIVADO, "exec"), "bitstream")
@@ -202,7 +209,7 @@ def test_a_title_is_told_as_it_is_where_a_clock_is_missed(tmp_path: Path) -> Non
 
 @pytest.mark.parametrize("name", PROJECTS)
 @pytest.mark.parametrize("key", ["device", "package", "io_type", "clk"])
-def test_a_board_whose_strings_end_a_command_is_refused(name: str, key: str, tmp_path: Path) -> None:
+def test_board_with_strings_that_end_a_command_is_refused(name: str, key: str, tmp_path: Path) -> None:
     text = (Path(projects.__file__).with_name("data") / f"{name}.toml").read_text()
     text = text if f"{key} = " in text else f'{key} = "LVCMOS33"\n{text}'
     path = tmp_path / "mine.toml"
@@ -230,7 +237,7 @@ def test_an_ft245_on_a_xilinx_gets_its_pads_and_the_constraints_of_its_pins(tmp_
     assert any(path.endswith("ul_ft245_sync_pins.xdc") for path in read)
 
 
-def test_a_pll_is_not_promised(tmp_path: Path) -> None:
+def test_pll_in_a_vendors_project_is_refused(tmp_path: Path) -> None:
     board = changed(load_board("arty_a7")[1], clock={"hz": 100_000_000, "core_hz": 50_000_000})
     with pytest.raises(ArgumentError, match=r"^no PLL is made in a project of Vivado, and core_hz = 50000000 asks"):
         make_project(LAMP, "mine", board, tmp_path / "out")

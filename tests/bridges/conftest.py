@@ -1,4 +1,4 @@
-"""The browser in which tests look at pages, and which tests need rclpy."""
+"""The browser in which tests open pages, and the tests that need rclpy."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
 
-# Without the environments of `make ros-venvs`, which need Python 3.12, there is no rclpy to be heard by.
+# rclpy is installed only in the environments of `make ros-venvs`, which need Python 3.12.
 collect_ignore_glob = [] if PYTHONS else ["test_rclpy*.py"]
 
 
@@ -32,14 +32,14 @@ def browser() -> Iterator[Browser]:
 
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
-    """A page that may not complain."""
+    """Open a page; at the end, fail if the page has reported an error."""
     context = browser.new_context(viewport={"width": 1280, "height": 900})
     context.set_default_timeout(1000 * PATIENCE)
     expect.set_options(timeout=1000 * PATIENCE)
     opened = context.new_page()
     complaints: list[str] = []
     opened.on("pageerror", lambda error: complaints.append(str(error)))
-    # A server that has gone, also in the middle of an answer, is a complaint of the browser's own.
+    # Ignore the browser's own messages about a server that has gone, also in the middle of a response.
     opened.on(
         "console",
         lambda said: (

@@ -1,7 +1,7 @@
-"""A program on ROS 2's topics that knows nothing of the bridge: its types are made from ROS 2's own definitions.
+"""A program on ROS 2's topics, independent of the bridge: it makes its types from ROS 2's own definitions.
 
 ``dds_peer.py DOMAIN listen TOPIC TYPE COUNT`` prints messages as JSON, ``DOMAIN talk TOPIC TYPE VALUE...`` sends some;
-``DOMAIN follow TOPIC TYPE COUNT`` prints a line with the first message and one with that of the number ``COUNT``, and
+``DOMAIN follow TOPIC TYPE COUNT`` prints one line with the first message and one with message number ``COUNT``, and
 ``DOMAIN count TOPIC TYPE`` sends 0, 1, 2 and so on until it is killed.
 """
 
@@ -35,7 +35,7 @@ _made: dict[str, Any] = {}
 
 
 def struct_of(name: str) -> Any:
-    """Make the class of ``std_msgs/msg/Float64`` from ROS 2's definition of it."""
+    """Return the class of a message, made from ROS 2's definition of it."""
     if name not in _made:
         _, fields = DEFINITIONS[name]
         package, _, message = name.split("/")
@@ -63,7 +63,7 @@ def plain(value: Any) -> Any:
 
 
 def made(name: str, given: dict[str, Any]) -> Any:
-    """Make a message of what is given of it; numbers are 0 and sequences empty where nothing is."""
+    """Return a message with the given fields; other numbers are 0, other sequences empty."""
     _, fields = DEFINITIONS[name]
     return struct_of(name)(**{field: value_of(described, given.get(field)) for field, described in fields})
 

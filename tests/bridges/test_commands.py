@@ -1,4 +1,4 @@
-"""Values that come from other threads: each written once and in order, whatever stands beside it."""
+"""Values from other threads: each is written once and in order, whatever other values there are."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ def noted(notes: Path) -> list[int]:
 
 @asynccontextmanager
 async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, SignalCommands]]:
-    """Run commands until the end of the block, and see that they end in order."""
+    """Run commands until the end of the block; assert that they end in order."""
     async with unity_link.connect(noting_gateway(str(notes))) as link:
         commands = SignalCommands(link, lambda text, **_: told.append(text))
         running = asyncio.create_task(commands.run())
-        # A task that was cancelled before it began does nothing at all.
+        # Let the task begin: a task that is cancelled before does nothing at all.
         await asyncio.sleep(0)
         yield robot_type(link), commands
         running.cancel()
@@ -74,7 +74,7 @@ def test_values_of_several_threads_are_written_once_and_in_the_order_of_each(rob
     assert told == []
 
 
-def test_what_was_given_before_the_end_is_written_and_nothing_after_it(robot_type: Any, notes: Path) -> None:
+def test_values_given_before_the_end_are_written_and_later_ones_not(robot_type: Any, notes: Path) -> None:
     async def write() -> None:
         async with commanding(robot_type, notes, []) as (robot, commands):
             giving = threading.Thread(target=lambda: commands.give(*[(robot.target, value) for value in range(10_000)]))
@@ -87,9 +87,7 @@ def test_what_was_given_before_the_end_is_written_and_nothing_after_it(robot_typ
     assert noted(notes) == list(range(10_000))
 
 
-def test_a_bad_value_spoils_none_of_the_others_and_each_kind_of_fault_of_each_signal_is_told_once(
-    robot_type: Any, notes: Path
-) -> None:
+def test_bad_value_spoils_no_other_and_each_kind_of_fault_is_reported_once(robot_type: Any, notes: Path) -> None:
     told: list[str] = []
 
     async def write() -> int:

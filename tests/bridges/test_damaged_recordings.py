@@ -1,4 +1,4 @@
-"""Recordings of which one number, text or message is wrong: each ends in one sentence, or is read, in little memory."""
+"""Recordings with one wrong number, text or message: each is read, or refused in one sentence, in little memory."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
 MOST_MEMORY = 300_000
-"""kB of the process that reads them all, with all that it has imported."""
+"""kB that the process may use to read all cases, its imports included."""
 ONE_OF = 8
-"""Cases of which the test suite takes one."""
+"""The test suite reads one of so many cases."""
 MESSAGES = 200
 NUMBERS = [-1, 0, 2**31, 10**15]
 FRACTIONS = [0.0, -1.0, 1e308, 5e-324]
@@ -59,7 +59,7 @@ INSTANTS: dict[str, Callable[[int, int], int]] = {
 
 
 class Parts:
-    """Parts of a recording."""
+    """The parts of a recording."""
 
     def __init__(self, path: Path) -> None:
         with path.open("rb") as file:
@@ -86,7 +86,7 @@ class Parts:
         metadata: Callable[[dict[str, str]], dict[str, str]] = lambda found: found,
         topic: str | None = None,
     ) -> None:
-        """Write it with some parts exchanged."""
+        """Write the recording with some parts replaced."""
         with path.open("wb") as file:
             writer = Writer(file)
             writer.start()
@@ -103,11 +103,11 @@ class Parts:
                 numbers[channel.topic] = writer.register_channel(topic or channel.topic, "json", number, said)
             for place, (name, instant, data) in enumerate(self.messages):
                 writer.add_message(numbers[name], at(place, instant), edit(data), instant)
-            writer.finish()  # type: ignore[no-untyped-call]
+            writer.finish()
 
 
 def cases(parts: Parts) -> Iterator[tuple[str, dict[str, Any]]]:
-    """Return what is exchanged in each case, by the name of the case."""
+    """Yield the name of each case, and the parts that it replaces."""
     for name, number in GATEWAYS.items():
         yield f"gateway: {name}={number}", {"gateway": json.dumps({**parts.gateway, name: number}).encode()}
     for place, value in leaves(parts.interface):
@@ -143,7 +143,7 @@ def with_fields(fields: dict[str, Any]) -> Callable[[bytes], bytes]:
 
 
 def leaves(value: Any, place: tuple[str | int, ...] = ()) -> Iterator[tuple[tuple[str | int, ...], Any]]:
-    """Return the values in JSON that hold no others, with the steps to each; of arrays those in the first two items."""
+    """Yield the values in JSON that contain no others, with the path to each; from arrays only the first two items."""
     if isinstance(value, dict):
         for name in value:
             yield from leaves(value[name], (*place, name))
@@ -163,7 +163,7 @@ def wrong_ones(value: Any) -> list[Any]:
 
 
 def fault_of(path: Path) -> str:
-    """Return what is wrong with how a recording is read; nothing where it is read, or refused in one sentence."""
+    """Return the traceback of a fault while a recording is read, or "" if it is read or refused in one sentence."""
     try:
         recording = Recording(path)
         export(recording, "csv", path.parent / "tables", overwrite=True)
@@ -173,13 +173,13 @@ def fault_of(path: Path) -> str:
     except UnityLinkError as error:
         said = str(error)
         return "" if said.isprintable() and len(said) < 1000 else f"said {said[:100]!r}"
-    except BaseException:  # noqa: BLE001  (whatever it is, it is told)
+    except BaseException:  # noqa: BLE001  (any fault is reported)
         return traceback.format_exc().strip().splitlines()[-1][:200]
     return ""
 
 
 def main(recorded: Path, first: int, step: int) -> None:
-    """Read the cases from the first on, in steps; print the faults as JSON, and the most memory in kB."""
+    """Read each `step`-th case from case `first` on; print the faults as JSON, and the most memory used in kB."""
     parts, faults, count = Parts(recorded), {}, 0
     with tempfile.TemporaryDirectory() as folder:
         for number, (name, changes) in enumerate(cases(parts)):
@@ -191,7 +191,7 @@ def main(recorded: Path, first: int, step: int) -> None:
             if fault := fault_of(path):
                 faults[name] = fault
         outside = [str(found) for found in Path(folder).iterdir() if found.name not in ("case.mcap", "tables")]
-    # Not what `getrusage` has: that begins with the memory of the process that has started this one.
+    # `getrusage` would count the memory of the process that has started this process.
     (most,) = re.findall(r"VmHWM:\s+(\d+) kB", Path("/proc/self/status").read_text())
     sys.stdout.write(json.dumps({"cases": count, "faults": faults, "outside": outside, "kB": int(most)}) + "\n")
 
@@ -204,7 +204,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def read_cases(recorded: Path, first: int, step: int) -> dict[str, Any]:
-    # A process of its own, so that its memory is that of the cases.
+    # Use another process, so that its memory is that of the cases alone.
     command = [sys.executable, __file__, str(recorded), str(first), str(step)]
     environment = {**unmeasured_environment(), "PYTHONPATH": str(Path(__file__).parents[1])}
     done = subprocess.run(command, capture_output=True, text=True, timeout=3000, check=True, env=environment)
@@ -223,7 +223,7 @@ def test_a_recording_with_one_thing_wrong_is_read_or_refused_in_one_sentence(rec
 
 
 @pytest.mark.campaign
-def test_each_recording_with_one_thing_wrong_is_read_or_refused_in_one_sentence(recorded: Path) -> None:
+def test_recording_with_one_fault_is_read_or_refused_in_one_sentence(recorded: Path) -> None:
     check(read_cases(recorded, 0, 1), 747)
 
 

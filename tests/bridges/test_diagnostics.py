@@ -1,4 +1,4 @@
-"""Diagnostics of the bridges to ROS where a server stands before the gateway."""
+"""Diagnostics of the bridges to ROS if a server is between bridge and gateway."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ public robot() { @a = 0x10: READ(PUBLISH(changed)); }
 
 
 class Bridge(RosBridge):
-    """A bridge without subscribers; keeps the diagnostics that it publishes."""
+    """A bridge without subscribers, which stores the diagnostics that it publishes."""
 
     def __init__(self, robot: Robot) -> None:
         super().__init__(robot, BridgeSettings(), lambda _: None)
@@ -71,7 +71,7 @@ class _Nobody:
 @pytest.mark.slow
 @on_simulated_time
 @pytest.mark.parametrize("spec", [compile_file(SCARA), CHANGED_ALONE], ids=["samples at a rate", "changes alone"])
-async def test_a_gateway_that_is_away_behind_a_server_is_an_error_until_it_is_back(spec: Spec) -> None:
+async def test_absent_gateway_of_a_server_is_an_error_until_it_returns(spec: Spec) -> None:
     gateway = Valve(build_gateway("scara"))
     async with sharing(gateway) as shared, PipedLink(shared) as link:
         bridge = Bridge(unity_link.load(spec)(link))
@@ -103,7 +103,7 @@ part(): @(at) { lift: LEASE(TIMEOUT=20) @(at); }
 
 
 @on_simulated_time
-async def test_each_lease_has_a_status_that_says_how_it_is_and_since_when() -> None:
+async def test_status_of_each_lease_has_its_state_and_since_when() -> None:
     gateway = Valve(simulated(LEASED.interface(), SimulatedRobot))
     async with unity_link.connect(gateway, reconnect=True) as link:
         robot: Any = unity_link.load(LEASED)(link)

@@ -1,4 +1,4 @@
-"""Messages of bridges where the extra that they need is not installed."""
+"""Messages of bridges whose extra is not installed."""
 
 from __future__ import annotations
 
@@ -33,9 +33,7 @@ SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
     ],
     ids=lambda value: "-".join(Path(word).name for word in value) if isinstance(value, list) else "",
 )
-def test_what_is_not_installed_is_told_at_once_with_what_to_install(
-    absent: list[str], command: list[str], words: str
-) -> None:
+def test_missing_extra_is_reported_at_once_with_its_name(absent: list[str], command: list[str], words: str) -> None:
     without = f"sys.modules.update(dict.fromkeys({absent}))"
     script = f"import sys; {without}; sys.argv[1:] = {command}; from unity_link.cli import main; main()"
 

@@ -1,4 +1,4 @@
-"""Instants of samples by this machine's clock: distances as the gateway tells them, no jumps, no way back."""
+"""Instants of samples by this machine's clock: distances of the gateway's clock, without jumps and steps back."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from unity_link.link.freshness import MOST_DRIFT
 
 
 class Clock:
-    """The time of a gateway, and the samples that tell it."""
+    """The time of a gateway, with the samples from which it is estimated."""
 
     def __init__(self, **options: Any) -> None:
         self.set = 0.0
-        """Seconds by which this machine's clock was set."""
+        """Seconds by which this machine's clock was changed."""
         self.statistics = SimpleNamespace(reconnections=0)
         link: Any = SimpleNamespace(statistics=self.statistics)
         self.time = GatewayTime(link, **options)
@@ -38,7 +38,7 @@ def test_samples_without_timestamps_have_the_instants_of_their_arrival() -> None
     assert Clock().instants(0, None, [100.0, 101.5]) == [100.0, 101.5]
 
 
-def test_samples_that_arrive_together_stand_apart_as_the_gateway_took_them() -> None:
+def test_samples_that_arrive_together_keep_the_gateways_distances() -> None:
     assert Clock().instants(0, [5.0, 5.25, 5.5], [1000.5, 1000.5, 1000.5]) == [1000.0, 1000.25, 1000.5]
 
 
@@ -55,7 +55,7 @@ def test_late_arrivals_neither_turn_time_back_nor_make_it_jump(steps: list[tuple
 
 
 @given(st.lists(st.tuples(st.floats(1e-3, 1.0), st.floats(0.0, 5.0)), min_size=2, max_size=50))
-def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken(steps: list[tuple[float, float]]) -> None:
+def test_delayed_sample_gets_the_time_at_which_it_was_taken(steps: list[tuple[float, float]]) -> None:
     clock = Clock()
     clock.instants(0, [0.0], [1000.0])
     now = 0.0
@@ -65,7 +65,7 @@ def test_a_sample_that_was_long_on_its_way_stands_where_it_was_taken(steps: list
         assert at == pytest.approx(1000.0 + now, abs=2 * MOST_DRIFT * now + 1e-6)
 
 
-def test_where_the_first_sample_was_late_the_others_soon_stand_where_they_were_taken() -> None:
+def test_later_samples_get_their_true_times_soon_after_a_late_first_sample() -> None:
     clock = Clock(most_slew=0.5)
     seen = clock.instants(0, [0.0], [1000.3])
     for step in range(1, 101):
@@ -83,14 +83,14 @@ def test_a_quartz_that_is_off_is_followed(drift: float) -> None:
     assert last == pytest.approx(1000.0 + 35_990, abs=0.01)
 
 
-def test_groups_of_one_gateway_stay_side_by_side() -> None:
+def test_groups_of_one_gateway_keep_their_distance_in_time() -> None:
     clock = Clock()
     (first,) = clock.instants(0, [5.0], [1000.0])
     (second,) = clock.instants(1, [5.0], [1000.3])
     assert abs(second - first) < 1e-9
 
 
-def test_a_gateway_that_was_reset_begins_anew() -> None:
+def test_time_of_a_reset_gateway_starts_again() -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     clock.statistics.reconnections += 1
@@ -106,7 +106,7 @@ def test_a_clock_of_this_machine_that_was_set_is_followed(step: float) -> None:
 
 
 @pytest.mark.parametrize("late", [11.0, 3600.0])
-def test_samples_that_have_waited_for_this_program_stand_where_they_were_taken(late: float) -> None:
+def test_samples_that_waited_for_this_program_get_their_true_times(late: float) -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     seen = clock.instants(0, [6.0, 7.0, 8.0], [1001.0 + late] * 3)
@@ -114,7 +114,7 @@ def test_samples_that_have_waited_for_this_program_stand_where_they_were_taken(l
     assert clock.instants(0, [5.0 + late], [1000.0 + late]) == pytest.approx([1000.0 + late], abs=late * 2 * MOST_DRIFT)
 
 
-def test_a_gateway_whose_clock_was_read_a_turn_on_begins_anew() -> None:
+def test_time_of_a_gateway_starts_again_after_a_full_turn_of_its_clock() -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
     assert clock.instants(0, [6.0 + 2 * TURN_ON], [1001.0]) == [1001.0]

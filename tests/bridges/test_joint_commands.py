@@ -1,4 +1,4 @@
-"""Commands for all joints together, and diagnostics: what both bridges to ROS have in common."""
+"""Commands for all joints together, and diagnostics: the common parts of both bridges to ROS."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ NONE: dict[str, list[float]] = {"position": [], "velocity": [], "effort": []}
 
 @pytest_asyncio.fixture
 async def scara() -> AsyncIterator[Robot]:
-    """Return the SCARA, with a link that is open."""
+    """Yield the SCARA on an open link."""
     async with unity_link.connect("sim:scara") as link:
         yield unity_link.load(SCARA)(link)
 
@@ -72,7 +72,7 @@ async def test_values_are_in_the_units_of_the_spec_and_speed_comes_before_positi
 
 
 @pytest.mark.asyncio
-async def test_joints_without_a_set_point_are_left_alone_and_counts_are_whole_numbers() -> None:
+async def test_joints_without_a_set_point_keep_theirs_and_counts_are_whole_numbers() -> None:
     async with unity_link.connect("sim:") as link:
         joints = commands_of(unity_link.load(compile_text(COUNTED))(link))
         assert by_path(joints.of_array("position", [3.0, math.nan])) == {"a.p": 3}
@@ -113,7 +113,7 @@ async def test_a_value_that_no_number_holds_in_the_unit_of_the_spec_is_a_sentenc
     order=st.permutations(range(4)),
 )
 @on_simulated_time
-async def test_an_array_asks_for_what_a_state_of_the_same_values_in_any_order_asks_for(
+async def test_array_and_state_of_the_same_values_in_any_order_are_one_command(
     values: list[float], order: list[int]
 ) -> None:
     async with unity_link.connect("sim:scara") as link:
@@ -124,7 +124,7 @@ async def test_an_array_asks_for_what_a_state_of_the_same_values_in_any_order_as
 
 
 @on_simulated_time
-async def test_diagnostics_warn_of_what_went_wrong_since_they_told_last() -> None:
+async def test_diagnostics_warn_about_faults_since_the_last_report() -> None:
     gateway = VirtualGateway()
     gateway.attach(Failing(unity_link.protocol.wire.messages.ErrorCode.BUS_ERROR), [1])
     async with unity_link.connect(gateway) as link:

@@ -1,4 +1,4 @@
-"""Velocities of joints have signs where the gateway gives their magnitude."""
+"""Velocities of joints get a sign if the gateway has only their magnitude."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NUMBERS = st.integers(-2, 2).map(float)
 
 
 @given(rows=st.lists(st.tuples(NUMBERS, NUMBERS), min_size=1, max_size=12), cut=st.integers(1, 12))
-def test_a_velocity_has_the_sign_of_the_last_move_however_samples_are_cut_into_batches(
+def test_velocity_has_the_sign_of_the_last_move_however_batches_are_cut(
     rows: list[tuple[float, float]], cut: int
 ) -> None:
     positions = np.array(rows)
@@ -52,5 +52,5 @@ async def test_the_states_of_a_scara_that_moves_back_have_negative_velocities() 
     moving = np.abs(velocities) > 0.01
     assert (velocities[:, 0][moving[:, 0]] < 0).mean() > 0.99
     assert (velocities[:, 2][moving[:, 2]] > 0).all()
-    # Radians a second: what the positions say. The group has a thousand samples a second.
+    # In radians per second, from the positions: the group has a thousand samples a second.
     assert velocities[:, 0].min() == pytest.approx(np.diff(positions[:, 0]).min() * 1000, rel=0.1)

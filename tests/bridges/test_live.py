@@ -1,4 +1,4 @@
-"""Live pictures in a browser: what it shows, and what it may write."""
+"""Live pictures in a browser: the values that a page shows, and those that it may write."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def token(monkeypatch: pytest.MonkeyPatch) -> str:
 
 @contextmanager
 def shown(page: Page, *arguments: str, fragment: str | None = None, begins: str = "\0") -> Iterator[Live]:
-    """Run `unity-link live`, and look at it; the page leaves first, as a file on its way would be cut off otherwise."""
+    """Run `unity-link live`, and open its page; leave the page before the end, which would cut off open requests."""
     with live(*arguments, begins=begins) as running:
         page.goto(running.url if fragment is None else f"{running.address}#{fragment}")
         yield running
@@ -61,10 +61,10 @@ def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
 
 @pytest.mark.slow
 @needs_chromium
-def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page: Page) -> None:
+def test_cards_of_a_users_robot_have_different_headings_and_it_moves(page: Page) -> None:
     spec = f"{EXAMPLES}/rover.ul"
     own = f"sim:{spec}?model={EXAMPLES}/rover.py:Rover"
-    # On a busy machine it tells that it is slower than time.
+    # On a busy machine the robot reports that it is slower than real time.
     with shown(page, own, spec, "--allow-writes", begins="<Rover of rover> is slower than time"):
         page.locator("#write-left\\.duty").fill("0.5")
         page.keyboard.press("Enter")
@@ -75,7 +75,7 @@ def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page:
 
 
 def colors_in(page: Page, card: str) -> int:
-    """Count the colours that are saturated, as those of curves are, in the canvas of a card."""
+    """Return the number of saturated colours, as curves have, in the canvas of a card."""
     found: int = page.locator(f"{card} >> canvas").evaluate(
         """canvas => {
           const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
@@ -131,7 +131,7 @@ public m() {
 def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page: Page, tmp_path: Path) -> None:
     spec = tmp_path / "m.ul"
     spec.write_text(UNKNOWN)
-    # A gateway that has words at all addresses, so that the test can read the written values.
+    # This gateway has words at all addresses, so that the test can read the written values.
     with gateway(tmp_path / "gateway", "serve", "sim:") as url, shown(page, url, str(spec), "--allow-writes"):
         volts, mode, brake = (page.locator(f"#write-{name}") for name in ("volts", "mode", "brake"))
         expect(volts).to_be_enabled()
@@ -155,14 +155,14 @@ def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page:
         expect(slider).to_be_enabled()
         assert float(slider.input_value()) == pytest.approx(-3, abs=0.01)
         with blocking.connect(url) as link:
-            # Each key that wrote something would have come before the values that were chosen.
+            # A value written by one of the keys would have been written before the chosen values.
             wait_until(lambda: (link.read(0x20) % 2**12, link.read(0x23)) == (2**12 - 512, 5))
             assert [link.read(address) for address in (0x21, 0x22)] == [0, 0]
             page.locator("#write-amps").fill("7")
             page.locator("#write-amps").press("Enter")
             wait_until(lambda: link.read(0x21) == 7)
 
-        # The same values are known to a page that is opened later; a pulse and a guarded value have none.
+        # A page that is opened later knows the same values; a pulse and a guarded value have none.
         page.reload()
         expect(volts).to_have_value(re.compile(r"^-3\.00"))
         expect(mode).to_have_value("5")
@@ -208,7 +208,7 @@ def test_a_control_of_a_sampled_signal_is_disabled_until_its_value_is_known(page
 
 
 @needs_chromium
-def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -> None:
+def test_page_without_permission_to_write_has_no_controls(page: Page) -> None:
     with shown(page, "sim:scara", SPEC) as running:
         assert "#" not in running.url
         expect(page.locator("#state")).to_have_text("connected")
@@ -218,7 +218,7 @@ def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -
 
 
 @needs_chromium
-def test_a_page_with_a_wrong_token_says_so_and_is_only_for_looking(page: Page) -> None:
+def test_page_with_a_wrong_token_reports_it_and_cannot_write(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=wrong"):
         expect(page.locator("#notice")).to_contain_text("Open the link that unity-link live printed")
         expect(page.locator("#write-j1\\.pos_sp")).to_be_disabled()
@@ -241,7 +241,7 @@ def test_every_frame_of_the_browser_shows_another_picture(page: Page) -> None:
               return [frames, unityLink.plots - before, cards, unityLink.samples - then];
             }"""
         )
-        # In each of them each plot that can be seen, of which there are at least two.
+        # Each frame draws all visible plots, at least two.
         assert 2 * (frames - 2) <= plots <= cards * (frames + 2)
         assert samples >= 1000
 
@@ -266,7 +266,7 @@ def test_the_page_fits_a_screen_and_a_phone_in_light_and_dark(browser: Browser, 
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page: Page, tmp_path: Path) -> None:
+def test_page_reports_an_absent_gateway_and_continues_when_it_returns(page: Page, tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
@@ -287,7 +287,7 @@ def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page: Page, tmp_path: Path) -> None:
+def test_page_shows_the_error_of_a_shared_link_without_its_gateway(page: Page, tmp_path: Path) -> None:
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
         with gateway(tmp_path / "gateway", *simulate) as behind:
@@ -302,7 +302,7 @@ def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_page_comes_back_when_the_program_does(page: Page, token: str) -> None:
+def test_page_reconnects_when_the_program_restarts(page: Page, token: str) -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = str(free.getsockname()[1])
     with live("sim:scara", SPEC, "--allow-writes", "--port", port) as running:
@@ -326,7 +326,7 @@ def test_words_without_a_spec_have_a_plot_each(page: Page) -> None:
 
 
 @needs_chromium
-def test_a_whole_number_that_is_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
+def test_whole_number_wider_than_a_double_is_written_and_shown_exactly(page: Page) -> None:
     with shown(page, "sim:?data_bits=64", "--watch", "0x10", "--allow-writes"):
         number = page.locator("#write-word_10")
         expect(number).to_be_enabled()
@@ -388,7 +388,7 @@ def test_a_curve_has_a_gap_before_a_sample_that_others_are_missing_before(page: 
     [(1.02, [], [7, 7]), (9.0, [], [None, None]), (9.0, [8.9], [8, 8]), (9.0, [1.1], [None, None])],
     ids=["one was lost", "the gateway was away", "polled before the others went on", "polled after the others stopped"],
 )
-def test_in_a_plot_of_several_streams_no_value_from_before_the_gateway_was_away_is_held(
+def test_plot_of_several_streams_holds_no_value_from_before_an_absence(
     page: Page, began: float, polled: list[float], shown_then: list[float | None]
 ) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -413,7 +413,7 @@ def test_in_a_plot_of_several_streams_no_value_from_before_the_gateway_was_away_
             }""",
             {"began": began, "polled": polled},
         )
-    # Each sample of the quick one is a row, and so is the gap.
+    # Each sample of the quick stream is a row, and the gap is a row too.
     assert rows == [7, None, *shown_then, 9]
 
 
@@ -442,7 +442,7 @@ def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Pag
 
 @pytest.mark.slow
 @needs_chromium
-def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
+def test_single_sample_between_gaps_is_a_point(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
         colored = page.evaluate(
             """async () => {
@@ -478,7 +478,7 @@ def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(page: Page) -> None:
+def test_plot_window_matches_its_list_when_the_browser_returns_to_the_page(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
         page.locator("#window").select_option("60")
         page.goto("about:blank")
@@ -490,7 +490,7 @@ def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(
 
 @pytest.mark.slow
 @needs_chromium
-def test_the_address_of_a_program_that_was_started_anew_is_taken_in_a_page_that_is_open(page: Page) -> None:
+def test_open_page_accepts_the_address_of_a_restarted_program(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=old") as running:
         expect(page.locator("#state")).to_have_text("connected")
         expect(page.get_by_label("pos_sp", exact=True).first).to_be_disabled()

@@ -1,4 +1,4 @@
-"""Faults of live pictures: pages that stop reading, are killed or are too many, gateways that go and come."""
+"""Faults of live pictures: pages that stop reading, are killed or too many; gateways that leave and return."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ if TYPE_CHECKING:
 
 
 @pytest.mark.slow
-def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -> None:
+def test_browser_that_stops_reading_delays_no_other_and_costs_no_memory() -> None:
     with live(FAST, SPEC) as running, looking(running) as reader:
         others = connections_of(running.process.pid)
         sleeper, dead = Sleeper(running), Sleeper(running)
@@ -56,26 +56,26 @@ def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -
         while seen < 400_000:
             samples = take(reader, about)
             seen += sum(table.shape[1] for table in samples.tables[0])
-            # What the reader lost must be the fault of this process: on a busy machine, what came before was read late.
+            # The reader may lose samples only if it was late itself: a busy machine delays it.
             assert samples.dropped == dropped or late > 1
             dropped, late = samples.dropped, time.time() - samples.sent
             if seen < 100_000:
                 before = memory_of(running.process.pid)
             elif not slept:
-                # It reads again: what it missed is told.
+                # The sleeper reads again, and gets the number of samples that it has missed.
                 slept = True
                 with sleeper.socket:
                     while not sleeper.next_dropped():
                         pass
         assert memory_of(running.process.pid) - before < 32e6
 
-        # One that never reads again does not keep its place.
+        # The server drops a page that never reads again.
         wait_until(lambda: take(reader, about).tables and connections_of(running.process.pid) == others)
         dead.socket.close()
 
 
 @pytest.mark.slow
-def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() -> None:
+def test_page_beyond_the_limit_is_refused_until_another_leaves() -> None:
     with live("sim:scara", SPEC) as running, ExitStack() as stack:
         first, last = (stack.enter_context(looking(running)) for _ in range(2))
         hear(first, "about")
@@ -99,7 +99,7 @@ def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() ->
 
 
 @pytest.mark.slow
-def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
+def test_pages_that_end_in_any_way_leave_no_connection_and_no_memory() -> None:
     with live("sim:scara", SPEC) as running, looking(running) as stays:
         about = hear(stays, "about")
         connections, memory = connections_of(running.process.pid), 0
@@ -110,7 +110,7 @@ def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
             if number % 4 == 0:
                 page.next_dropped()
             if number % 2:
-                # With a reset in place of an end.
+                # End the connection by a reset.
                 page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
             page.socket.close()
         wait_until(lambda: connections_of(running.process.pid) == connections)
@@ -124,7 +124,7 @@ def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
 # Gateways
 
 
-def test_a_gateway_that_is_not_there_at_the_start_is_told_in_a_sentence(tmp_path: Path) -> None:
+def test_missing_gateway_at_the_start_is_reported_in_one_sentence(tmp_path: Path) -> None:
     result = subprocess.run(
         [PROGRAM, "live", f"unix:{tmp_path / 'nothing'}", SPEC, "--no-browser", "--port", "0"],
         capture_output=True,
@@ -139,7 +139,7 @@ def test_a_gateway_that_is_not_there_at_the_start_is_told_in_a_sentence(tmp_path
 
 
 @pytest.mark.slow
-def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tmp_path: Path) -> None:
+def test_samples_resume_with_the_gateway_and_pages_get_both_changes_of_state(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
@@ -156,7 +156,7 @@ def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tm
 
 
 @pytest.mark.slow
-def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: Path) -> None:
+def test_shared_gateway_that_leaves_is_reported_once_and_awaited(tmp_path: Path) -> None:
     refused = "read of j"
     with ExitStack() as stack:
         simulate = ("simulate", "--robot", "scara")
@@ -178,7 +178,7 @@ def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: P
 
 
 def run_on(gateway: Valve, work: Callable[[Link, LivePage], Awaitable[None]]) -> None:
-    """Show a gateway of this process while `work` is done."""
+    """Show a gateway of this process while `work` runs."""
 
     async def show() -> None:
         async with unity_link.connect(gateway, reconnect=True) as link:
@@ -220,7 +220,7 @@ def test_a_gateway_that_goes_away_before_the_first_sample_is_waited_for(turns: i
 
 
 @pytest.mark.slow
-def test_a_gateway_that_was_reset_behind_an_open_line_is_found() -> None:
+def test_gateway_reset_on_an_open_line_is_detected() -> None:
     model = build_gateway("scara")
     assert isinstance(model, VirtualGateway)
 
@@ -256,7 +256,7 @@ def test_ctrl_c_ends_it_with_one_line_whatever_is_connected(what: str) -> None:
 
 
 @pytest.mark.slow
-def test_ctrl_c_ends_it_with_one_line_while_the_gateway_is_away_and_a_write_waits(
+def test_ctrl_c_ends_live_with_one_line_while_a_write_waits_for_the_gateway(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("UNITY_LINK_TOKEN", "token")
@@ -271,7 +271,7 @@ def test_ctrl_c_ends_it_with_one_line_while_the_gateway_is_away_and_a_write_wait
         running = stack.enter_context(live(url, SPEC, "--allow-writes"))
         page = stack.enter_context(looking(running, token="token"))
         hear(page, "welcome")
-        # It says nothing any more, and its line stays open.
+        # The gateway is stopped, but its connection stays open.
         process.send_signal(signal.SIGSTOP)
         page.send('{"type":"write","number":1,"signal":"j1.pos_sp","value":1}')
         time.sleep(0.3)

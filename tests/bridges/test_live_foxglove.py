@@ -1,4 +1,4 @@
-"""Samples for the Foxglove app, by its own WebSocket: what comes, and what can happen."""
+"""Samples for the Foxglove app, on its own WebSocket: messages and faults."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ STATE = "/scara/state"
 
 @contextmanager
 def served(url: str, **options: str) -> Iterator[tuple[Live, str]]:
-    """Run it with Foxglove; give it, and the URL for the app."""
+    """Run `unity-link live` with Foxglove; yield it, and the URL for the app."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = str(free.getsockname()[1])
     with live(url, SPEC, "--foxglove", "--foxglove-port", port, **options) as running:
@@ -37,7 +37,7 @@ def served(url: str, **options: str) -> Iterator[tuple[Live, str]]:
 
 @contextmanager
 def app(url: str, topic: str = STATE) -> Iterator[tuple[ClientConnection, Any]]:
-    """Be the app, subscribed to a topic; give it, and the channel."""
+    """Subscribe to a topic as the app does; yield the connection and the channel."""
     with connect(url, subprotocols=[Subprotocol("foxglove.sdk.v1")], max_size=None, close_timeout=0) as connection:
         channels: dict[str, Any] = {}
         while topic not in channels:
@@ -50,7 +50,7 @@ def app(url: str, topic: str = STATE) -> Iterator[tuple[ClientConnection, Any]]:
 
 
 def next_message(connection: ClientConnection) -> tuple[int, Any]:
-    """Wait for a message; give its time in nanoseconds, and what it says."""
+    """Return the time of the next message in nanoseconds, and its contents."""
     while True:
         said = connection.recv(timeout=PATIENCE)
         if isinstance(said, bytes) and said[0] == 1:
@@ -71,11 +71,11 @@ def test_foxglove_gets_the_messages_of_recordings() -> None:
 
 
 @pytest.mark.slow
-def test_an_app_that_stops_reading_costs_the_others_and_the_page_nothing_and_no_memory() -> None:
+def test_app_that_stops_reading_delays_no_other_client_and_costs_no_memory() -> None:
     with served(FAST) as (running, url), ExitStack() as stack:
         page = stack.enter_context(looking(running))
         about = hear(page, "about")
-        # Nothing reads its messages once it has subscribed, and its socket is soon full.
+        # This app subscribes and then reads no message, so that its socket is soon full.
         stack.enter_context(app(url))
         other, _ = stack.enter_context(app(url))
         seen, before = 0, 0
@@ -90,7 +90,7 @@ def test_an_app_that_stops_reading_costs_the_others_and_the_page_nothing_and_no_
 
 
 @pytest.mark.slow
-def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
+def test_messages_continue_when_the_gateway_returns(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
     with ExitStack() as stack:
@@ -103,7 +103,7 @@ def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
             pass
         before = 0
         while True:
-            # What was under way.
+            # Read the messages that were on their way.
             try:
                 said = connection.recv(timeout=1)
             except TimeoutError:
@@ -115,7 +115,7 @@ def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
         assert at > before
 
 
-def test_ctrl_c_ends_it_with_one_line_while_an_app_reads_and_another_does_not() -> None:
+def test_ctrl_c_ends_live_with_one_line_although_one_app_does_not_read() -> None:
     with served("sim:scara") as (running, url), app(url) as (connection, _), app(url):
         for _ in range(100):
             next_message(connection)
@@ -126,7 +126,7 @@ def test_ctrl_c_ends_it_with_one_line_while_an_app_reads_and_another_does_not() 
         assert " samples in " in said
 
 
-def test_a_port_that_is_taken_is_told_in_a_sentence_and_no_page_is_opened() -> None:
+def test_taken_port_is_one_sentence_and_no_page_is_opened() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
         result = subprocess.run(
@@ -159,7 +159,7 @@ def test_it_listens_on_this_machine_alone_and_takes_no_writes() -> None:
 @pytest.mark.parametrize(
     "said", ["", "{", "[" * 100_000, '{"op":"subscribe"}', b"", b"\x01", b"\xff" * 1000], ids=range(7)
 )
-def test_what_makes_no_sense_costs_the_others_nothing(said: str | bytes) -> None:
+def test_invalid_message_of_an_app_disturbs_no_other(said: str | bytes) -> None:
     with served("sim:scara") as (_, url), app(url) as (connection, _):
         with connect(url, subprotocols=[Subprotocol("foxglove.sdk.v1")], max_size=None, close_timeout=0) as wild:
             wild.send(said)

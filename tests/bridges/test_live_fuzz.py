@@ -1,4 +1,4 @@
-"""Whatever is said to what serves live pictures: it ends its own connection at most, and tells nothing of files."""
+"""Any input to the server of live pictures at most ends its own connection, and reads no other file."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ DEEP = '{"type":"write","number":1,"signal":"j1.pos_sp","value":' + "[" * 4000
 
 @pytest.fixture(scope="module")
 def running() -> Iterator[Live]:
-    """One program for all tests: it must outlive them, and print nothing meanwhile."""
+    """Run one program for all tests; it must outlive them, and print nothing."""
     with pytest.MonkeyPatch.context() as patch, ExitStack() as stack:
         patch.setenv("UNITY_LINK_TOKEN", TOKEN)
         at = stack.enter_context(live("sim:scara", SPEC, "--allow-writes"))
@@ -50,7 +50,7 @@ def running() -> Iterator[Live]:
 
 @pytest.fixture(autouse=True)
 def goes_on(running: Live) -> Iterator[None]:
-    """Afterwards it shows, and writes, as before."""
+    """After the block, check that pages show samples and write values as before."""
     yield
     with looking(running, token=TOKEN) as page:
         about = hear(page, "about")
@@ -64,7 +64,7 @@ def call(running: Live) -> socket.socket:
 
 
 def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
-    """Send bytes; return what is heard until the other side ends, or for so long. Without patience, hang up."""
+    """Send bytes; return the response up to its end, or of `patience` seconds; with 0, end the connection at once."""
     heard = b""
     with call(running) as caller, suppress(ConnectionError, TimeoutError):
         caller.sendall(said)
@@ -72,7 +72,7 @@ def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
             caller.settimeout(patience)
         else:
             caller.shutdown(socket.SHUT_WR)
-        # What has become a page would be told more and more.
+        # Stop at the upgrade to a WebSocket: the server would send samples without end.
         while not heard.startswith(b"HTTP/1.1 101 ") and (data := caller.recv(65536)):
             heard += data
     return heard
@@ -106,7 +106,7 @@ def answer_to(running: Live, said: bytes, *, patience: float = 0.0) -> bytes:
     ],
     ids=lambda said: str(said)[:60],
 )
-def test_nonsense_ends_its_own_connection_and_no_other(running: Live, said: str | bytes) -> None:
+def test_invalid_bytes_end_only_their_own_connection(running: Live, said: str | bytes) -> None:
     with looking(running) as other, looking(running, token=TOKEN) as page:
         about = hear(other, "about")
         hear(page, "welcome")
@@ -121,7 +121,7 @@ def test_nonsense_ends_its_own_connection_and_no_other(running: Live, said: str 
 @pytest.mark.parametrize(
     "value", ["1e999", "-1e400", "9" * 4000, "1e-400", '"' + "\\u0000" * 500 + '"', '"\\ud800"', "true", '"NaN"']
 )
-def test_a_value_that_no_signal_takes_is_refused_or_ends_its_own_connection(running: Live, value: str) -> None:
+def test_invalid_value_is_refused_or_ends_its_own_connection(running: Live, value: str) -> None:
     with looking(running, token=TOKEN) as page:
         hear(page, "welcome")
         page.send(f'{{"type":"write","number":7,"signal":"j1.pos_sp","value":{value}}}'[:4096])
@@ -145,7 +145,7 @@ MESSAGES = (
 
 @settings(max_examples=examples(60))
 @given(messages=st.lists(MESSAGES, min_size=1, max_size=5))
-def test_whatever_a_page_says_others_are_served(running: Live, messages: list[str | bytes]) -> None:
+def test_any_message_of_a_page_leaves_others_served(running: Live, messages: list[str | bytes]) -> None:
     with looking(running) as page, suppress(ConnectionClosed):
         for message in messages:
             page.send(message)
@@ -161,7 +161,7 @@ FRAMES = st.tuples(
 
 
 @given(frames=st.lists(FRAMES | st.binary(max_size=40), max_size=6), ends=st.booleans())
-def test_whatever_frames_come_others_are_served(running: Live, frames: list[bytes], ends: bool) -> None:
+def test_any_frames_of_a_page_leave_others_served(running: Live, frames: list[bytes], ends: bool) -> None:
     page = Sleeper(running)
     with page.socket, suppress(ConnectionError):
         for frame in frames:
@@ -176,7 +176,9 @@ def test_whatever_frames_come_others_are_served(running: Live, frames: list[byte
     [(PING, b"x" * 125, True), (0, b"", False), (TEXT, b'{"type":"hello","token":""}', True)],
     ids=["pings", "parts", "questions"],
 )
-def test_who_asks_without_end_and_does_not_read_is_bounded(running: Live, kind: int, data: bytes, last: bool) -> None:
+def test_memory_for_a_flooding_page_that_does_not_read_is_bounded(
+    running: Live, kind: int, data: bytes, last: bool
+) -> None:
     page = Sleeper(running)
     before = memory_of(running.process.pid)
     with page.socket, suppress(ConnectionError, TimeoutError):
@@ -188,7 +190,7 @@ def test_who_asks_without_end_and_does_not_read_is_bounded(running: Live, kind: 
     assert memory_of(running.process.pid) - before < 16e6
 
 
-def test_text_that_is_none_ends_its_own_connection(running: Live) -> None:
+def test_text_that_is_not_utf_8_ends_its_own_connection(running: Live) -> None:
     page = Sleeper(running)
     with page.socket, suppress(ConnectionError, AssertionError):
         page.say(TEXT, b"\xff\xfe")
@@ -199,7 +201,7 @@ def test_text_that_is_none_ends_its_own_connection(running: Live) -> None:
 # HTTP
 
 
-def test_no_file_is_given_but_those_of_the_page(running: Live) -> None:
+def test_only_files_of_the_page_are_served(running: Live) -> None:
     head = f"Host: {running.host}\r\nConnection: close\r\n\r\n"
     assert answer_to(running, f"GET /live.js HTTP/1.1\r\n{head}".encode(), patience=30).startswith(b"HTTP/1.1 200 ")
     for path in (
@@ -277,7 +279,7 @@ def test_garbage_of_http_is_answered_in_a_word_or_not_at_all(running: Live, said
         (b"Upgrade: websocket", b"Upgrade: websocket\r\nSec-WebSocket-Protocol: ,,,"),
     ],
 )
-def test_a_handshake_that_is_none_makes_no_page(running: Live, old: bytes, new: bytes) -> None:
+def test_invalid_handshake_opens_no_page(running: Live, old: bytes, new: bytes) -> None:
     said = handshake(running.host).replace(old, new)
     assert new in said
     heard = answer_to(running, said, patience=0.3)
@@ -296,7 +298,7 @@ def test_requests_that_were_damaged_anywhere_stop_nothing(running: Live, data: s
 
 
 @pytest.mark.slow
-def test_silent_and_slow_callers_keep_nobody_out(running: Live) -> None:
+def test_silent_and_slow_callers_keep_no_page_out(running: Live) -> None:
     with looking(running) as page, ExitStack() as stack:
         about = hear(page, "about")
         before = connections_of(running.process.pid)

@@ -1,4 +1,4 @@
-"""Leases on the live page: their state is seen, and anybody who looks may stop."""
+"""Leases on the live page: pages show their state, and any page may stop them."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def shown(served: str, spec: Path) -> Iterator[Live]:
 
 
 def end(running: Live) -> None:
-    """Read what it says at its end."""
+    """End the program, and drop its output on stderr."""
     running.process.terminate()
     assert running.process.stderr is not None
     running.process.stderr.close()
@@ -96,7 +96,7 @@ def test_a_page_without_a_token_stops_and_does_not_write(served: str, spec: Path
     end(shown)
 
 
-def test_a_page_of_a_gateway_that_is_away_says_that_nothing_was_stopped(spec: Path, tmp_path: Path) -> None:
+def test_stop_on_a_page_without_its_gateway_reports_that_it_failed(spec: Path, tmp_path: Path) -> None:
     with gateway(tmp_path / "gateway", "serve", f"sim:{spec}") as url:
         running = live(url, str(spec))
         shown = running.__enter__()
@@ -131,7 +131,7 @@ def test_a_page_shows_a_lease_and_signals_on_change_before_any_change(page: Page
             gain.fill("7")
             gain.press("Enter")
             expect(page.locator("[data-signal=gain] output")).to_have_text("7")
-        # The words of the next gateway are 0, and nothing there changes.
+        # All words of the next gateway are 0, and none of them changes.
         with gateway(tmp_path / "gateway", "simulate", str(spec)):
             expect(page.locator("[data-signal=gain] output")).to_have_text("0")
         page.goto("about:blank")

@@ -1,4 +1,4 @@
-"""The pace at which pages are heard: that of people, and no more than leaves time for samples."""
+"""The pace at which messages of pages are handled: enough for people, and slow enough to leave time for samples."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ PING = b"\x89\x80" + bytes(4)
 
 
 def message(text: str) -> bytes:
-    """Return a message as browsers send it; a mask of zeros leaves the text as it is."""
+    """Return a message as browsers send it; the mask of zeros leaves the text unchanged."""
     return bytes([0x81, 0x80 | len(text)]) + bytes(4) + text.encode()
 
 
 class Line(asyncio.Transport):
-    """A connection whose other end is the test."""
+    """A connection with the test at its other end."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -53,7 +53,7 @@ class Line(asyncio.Transport):
 
 
 class Talk:
-    """Pages of one server, and when it has heard what of each."""
+    """Pages of one server, with the messages that it has handled and their times."""
 
     def __init__(self, pages: int) -> None:
         now = asyncio.get_running_loop().time
@@ -78,12 +78,12 @@ class Talk:
             self.pages.append(page)
 
     async def begin(self) -> None:
-        """Let the handshakes, and the time in which they were made, pass."""
+        """Wait until the handshakes, and the interval in which they were made, have passed."""
         await asyncio.sleep(2 * INTERVAL)
 
 
 @on_simulated_time
-async def test_a_page_that_says_more_than_can_be_heard_is_heard_to_the_end_at_a_bounded_pace() -> None:
+async def test_messages_of_a_flooding_page_are_all_handled_at_a_bounded_pace() -> None:
     talk = Talk(1)
     await talk.begin()
     said = [str(number) for number in range(20 * MOST_FRAMES)]
@@ -97,7 +97,7 @@ async def test_a_page_that_says_more_than_can_be_heard_is_heard_to_the_end_at_a_
 
 
 @on_simulated_time
-async def test_a_page_whose_reading_was_held_up_is_not_read_from_because_its_messages_were_taken() -> None:
+async def test_paused_page_is_not_read_again_when_its_messages_are_handled() -> None:
     talk = Talk(1)
     await talk.begin()
     for _ in range(3):
@@ -107,7 +107,7 @@ async def test_a_page_whose_reading_was_held_up_is_not_read_from_because_its_mes
 
 
 @on_simulated_time
-async def test_small_pieces_are_heard_at_no_other_pace_than_large_ones() -> None:
+async def test_small_pieces_are_handled_at_the_pace_of_large_ones() -> None:
     talk = Talk(1)
     await talk.begin()
     for _ in range(20 * MOST_FRAMES):
@@ -117,7 +117,7 @@ async def test_small_pieces_are_heard_at_no_other_pace_than_large_ones() -> None
 
 
 @on_simulated_time
-async def test_beside_pages_that_talk_without_end_another_is_heard_at_once_and_all_together_no_more_often() -> None:
+async def test_page_is_heard_at_once_beside_flooding_pages_within_the_total_pace() -> None:
     talk = Talk(6)
     await talk.begin()
     for page in talk.pages[1:]:
@@ -144,7 +144,7 @@ async def test_pings_count_as_messages_do() -> None:
 
 
 @on_simulated_time
-async def test_of_a_page_that_has_gone_no_more_is_heard() -> None:
+async def test_messages_of_a_closed_page_are_dropped() -> None:
     talk = Talk(1)
     await talk.begin()
     talk.pages[0].data_received(message("a") * 20 * MOST_FRAMES)

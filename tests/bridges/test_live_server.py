@@ -1,4 +1,4 @@
-"""The server of live pictures: who is let in, what is written, and that no browser stands in the way of another."""
+"""The server of live pictures: access control, writes, and that no browser delays another one."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
         ((SPEC, "--foxglove-port", "8765"), "--foxglove-port is of --foxglove: give both", 2),
     ],
 )
-def test_what_cannot_be_done_is_said_in_a_sentence(arguments: tuple[str, ...], sentence: str, code: int) -> None:
+def test_impossible_options_are_reported_in_one_sentence(arguments: tuple[str, ...], sentence: str, code: int) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         given = [str(taken.getsockname()[1]) if argument == "PORT" else argument for argument in arguments]
         ports = () if "--port" in given else ("--port", "0")
@@ -171,7 +171,7 @@ def test_a_write_without_the_token_is_refused(
             assert link.read(POSITION_SET_POINT) == 0
 
 
-def test_a_write_is_refused_where_writes_are_off_even_with_a_token(token: str) -> None:
+def test_write_is_refused_if_writes_are_off_even_with_a_token(token: str) -> None:
     with live("sim:scara", SPEC) as running, looking(running, token=token) as connection:
         assert hear(connection, "welcome") == {"type": "welcome", "may_write": False}
         answer = write(connection, "j1.pos_sp", 3)
@@ -212,7 +212,7 @@ def test_samples_come_whole_and_in_order() -> None:
         while sum(table.shape[1] for table in tables) < 2000:
             tables += take(connection, about).tables[0]
         whole = np.concatenate(tables, axis=1)
-        # 1 ms by the gateway's clock for each sample that was taken, arrived or not.
+        # 1 ms by the gateway's clock for each sample that was taken, received or not.
         assert np.median(np.diff(whole[0])) == pytest.approx(1e-3, rel=1e-3)
         taken = whole.shape[1] - 1 + whole[1, 1:].sum()
         assert whole[0, -1] - whole[0, 0] == pytest.approx(1e-3 * taken, abs=0.1)
@@ -269,11 +269,11 @@ def test_round_trips_are_counted_in_bins_of_equal_ratio() -> None:
     assert histogram.within == 100.0
 
 
-def test_round_trips_are_those_of_the_bus_of_a_signal_and_an_error_is_an_answer_too() -> None:
+def test_round_trips_are_measured_on_the_signals_bus_and_errors_count() -> None:
     asked: list[int] = []
 
     class Behind:
-        """Bus that a module puts before the link."""
+        """The bus of a module, between the signal and the link."""
 
         async def read(self, address: int) -> int:
             asked.append(address)
@@ -322,7 +322,7 @@ async def test_round_trips_take_nothing_out_of_a_queue(others: str, asked: set[i
 
 @on_simulated_time
 @pytest.mark.parametrize("served", [False, True], ids=["its own link", "a shared link"])
-async def test_a_curve_is_interrupted_where_the_gateway_was_away_and_nowhere_else(served: bool) -> None:
+async def test_curve_is_interrupted_only_by_an_absence_of_the_gateway(served: bool) -> None:
     gateway = Valve(build_gateway("scara"))
     async with AsyncExitStack() as stack:
         link: Link
@@ -373,7 +373,7 @@ public robot() {
     ids=["none is missing", "some were lost", "it began anew", "none came for long", "none changed for long"],
 )
 @pytest.mark.parametrize("size", [1, 2, 3])
-def test_a_curve_is_interrupted_before_a_sample_that_others_are_missing_before_also_between_batches(
+def test_curve_is_interrupted_before_a_sample_after_missing_ones(
     group: str, times: list[float], epochs: list[int], lost: list[int], missing: list[int], size: int
 ) -> None:
     async def tabulate() -> list[float]:

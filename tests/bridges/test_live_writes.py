@@ -1,4 +1,4 @@
-"""Values that pages write: each once, in order, within its limits, and none for a gateway that is away."""
+"""Values that pages write: each once, in order, within its limits, and none while the gateway is away."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def wish(number: int, value: Any) -> str:
 
 
 def answers(page: ClientConnection, count: int) -> Iterator[Any]:
-    """Return the next answers, in the order in which they come."""
+    """Yield the next answers in the order of arrival."""
     while count:
         data = page.recv(timeout=PATIENCE)
         if isinstance(data, str) and (message := json.loads(data))["type"] in ("written", "refused"):
@@ -65,7 +65,7 @@ def test_every_value_is_written_once_and_in_order_however_many_wait(noted: Noted
         assert noted.values == list(range(500))
 
 
-def test_a_value_beyond_its_limits_is_refused_between_others_that_are_written(noted: Noted) -> None:
+def test_value_beyond_its_limits_is_refused_and_its_neighbours_are_written(noted: Noted) -> None:
     with noted.running(), live(noted.url, noted.spec, "--allow-writes") as running:
         with looking(running, token=TOKEN) as page:
             hear(page, "welcome")
@@ -77,7 +77,7 @@ def test_a_value_beyond_its_limits_is_refused_between_others_that_are_written(no
 
 
 @pytest.mark.slow
-def test_whatever_becomes_of_the_gateway_each_value_is_written_once_or_known_not_to_be(noted: Noted) -> None:
+def test_each_value_is_written_once_or_known_not_to_be_if_the_gateway_leaves(noted: Noted) -> None:
     outcome: dict[int, str] = {}
     with ExitStack() as stack:
         value = 0
@@ -114,11 +114,11 @@ def test_whatever_becomes_of_the_gateway_each_value_is_written_once_or_known_not
     assert written <= set(values)
     assert not_written & set(values) == set()
     assert set(range(10)) <= not_written
-    # Of no more than one for each time is it unknown.
+    # At most one value has an unknown outcome for each of the three absences.
     assert len(outcome) - len(written | not_written) <= 3
 
 
-def test_a_page_that_is_killed_in_the_middle_of_a_write_has_written_each_value_once_and_others_go_on(
+def test_page_killed_during_writes_has_written_once_and_others_continue(
     noted: Noted,
 ) -> None:
     with (
@@ -178,7 +178,7 @@ def test_a_value_that_was_not_sent_when_the_link_goes_away_never_is(robot_type: 
         async with unity_link.connect(gateway, reconnect=True) as link:
             writing = Writing(robot_type(link), TOKEN)
             gateway.requests_pass = False
-            # It waits behind more than may be under way.
+            # The write waits for its turn: more reads are queued than may be in flight.
             reads = [asyncio.ensure_future(link.read(0)) for _ in range(3000)]
             await asyncio.sleep(0)
             asked = asyncio.ensure_future(writing.write(Write(1, "word", 5)))
@@ -196,7 +196,7 @@ def test_a_value_that_was_not_sent_when_the_link_goes_away_never_is(robot_type: 
     run_simulated(lose_it())
 
 
-def test_a_value_whose_page_goes_meanwhile_is_written_once(robot_type: Any) -> None:
+def test_value_of_a_page_that_closes_meanwhile_is_written_once(robot_type: Any) -> None:
     model = VirtualGateway()
     bus = RecordedBus(model)
 
@@ -235,9 +235,7 @@ def test_written_values_are_known_until_the_link_is_opened_again(robot_type: Any
 
 
 @given(value=SCALARS, path=st.sampled_from(WRITES_NAMES))
-def test_whatever_value_is_asked_for_it_is_written_or_refused_in_a_sentence(
-    robot_type: Any, value: Any, path: str
-) -> None:
+def test_any_requested_value_is_written_or_refused_in_a_sentence(robot_type: Any, value: Any, path: str) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             answer = await Writing(robot_type(link), TOKEN).write(Write(1, path, value))

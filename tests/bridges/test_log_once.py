@@ -1,4 +1,4 @@
-"""Faults are told once for each kind, and numbers make no kind of their own."""
+"""Faults are reported once for each kind; texts that differ only in numbers are one kind."""
 
 from __future__ import annotations
 
@@ -18,9 +18,7 @@ from unity_link.bridges.log_once import MOST_KINDS, Faults
         ("j1.pos_sp: 500 is outside", "j1.pos_sp: nan is no value", 2),
     ],
 )
-def test_faults_that_differ_in_numbers_alone_are_one_kind_and_those_of_other_signals_are_not(
-    one: str, other: str, count: int
-) -> None:
+def test_faults_that_differ_only_in_numbers_are_one_kind_for_each_signal(one: str, other: str, count: int) -> None:
     told: list[str] = []
     faults = Faults(told.append)
 
@@ -30,7 +28,7 @@ def test_faults_that_differ_in_numbers_alone_are_one_kind_and_those_of_other_sig
     assert told == [f"{text} (told once)" for text in (one, other)][:count]
 
 
-def test_whoever_sends_ever_new_faults_is_told_of_no_more_in_the_end() -> None:
+def test_number_of_reported_kinds_of_faults_is_bounded() -> None:
     told: list[str] = []
     faults = Faults(told.append)
 

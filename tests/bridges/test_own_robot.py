@@ -1,6 +1,6 @@
-"""Features of built-in robots on a robot of one's own: that of a spec with a model, in `sim:` and in `rtl:`.
+"""Features of built-in robots with a user's own robot: a spec with a model, on `sim:` and on `rtl:`.
 
-The bridges to ROS have theirs in tests of their own (test_ros1.py, test_ros2.py), as has the page in a browser.
+The tests of the bridges to ROS (test_ros1.py, test_ros2.py) and of the page in a browser cover this too.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ own = pytest.mark.parametrize("own", [OWN["sim"], pytest.param(OWN["rtl"], marks
 
 @pytest.fixture(autouse=True)
 def built(request: pytest.FixtureRequest) -> None:
-    """Build the gateware of a robot before what has a time limit, if it was not built before."""
+    """Build the gateware of a robot before the test's time limit begins, unless it was built before."""
     if "own" in request.fixturenames:
         robot = request.getfixturevalue("own")
         if robot.url.startswith("rtl:"):
@@ -43,14 +43,14 @@ def run(*arguments: str, folder: Path) -> str:
 
 
 @pytest.mark.slow
-def test_the_demo_moves_a_scara_of_ones_own(tmp_path: Path) -> None:
+def test_demo_moves_a_users_scara(tmp_path: Path) -> None:
     summary = json.loads(run("demo", OWN["sim"].url, "--duration", "1", "--json", folder=tmp_path))
     assert summary["samples"] > 50
     assert summary["samples_lost"] == 0
 
 
 @pytest.mark.campaign
-def test_the_demo_moves_a_scara_of_ones_own_behind_gateware_that_is_built_for_it(tmp_path: Path) -> None:
+def test_demo_moves_a_users_scara_behind_gateware_built_for_it(tmp_path: Path) -> None:
     url = OWN["sim"].url.replace("sim:", "rtl:")
     command = [PROGRAM, "demo", url, "--duration", "3", "--json"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=600, check=True)
@@ -61,7 +61,7 @@ def test_the_demo_moves_a_scara_of_ones_own_behind_gateware_that_is_built_for_it
 @own
 def test_the_page_shows_and_moves_it(own: Own, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UNITY_LINK_TOKEN", TOKEN)
-    # That the robot is slower than time is no fault of the page's.
+    # The test is about the page: ignore reports that the robot is slower than real time.
     with live(own.url, own.spec, "--allow-writes", begins="<") as running, looking(running, token=TOKEN) as connection:
         about = hear(connection, "about")
         place = next(known for known in about["signals"] if known["path"] == own.position)

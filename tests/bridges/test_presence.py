@@ -1,4 +1,4 @@
-"""The state of a gateway, away or there, of which a server in between keeps the connection."""
+"""The state of a gateway, away or present, if a server between keeps the connection."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ STEP = 0.05
 
 
 async def watch(presence: Presence, samples: Subscription, seconds: float) -> list[Interruption]:
-    """Look for some time, and return the interruptions that ended meanwhile."""
+    """Check the gateway for some seconds; return the interruptions that ended meanwhile."""
     loop = asyncio.get_running_loop()
     found, end = [], loop.time() + seconds
     while loop.time() < end:
@@ -34,7 +34,7 @@ async def watch(presence: Presence, samples: Subscription, seconds: float) -> li
 
 @on_simulated_time
 @pytest.mark.parametrize("rate_hz", [100, 2])
-async def test_behind_a_server_a_gateway_is_away_when_its_samples_stop_and_back_with_the_next(rate_hz: float) -> None:
+async def test_gateway_behind_a_server_is_away_while_its_samples_stop(rate_hz: float) -> None:
     gateway = Valve(VirtualGateway())
     now = asyncio.get_running_loop().time
     async with (
@@ -57,7 +57,7 @@ async def test_behind_a_server_a_gateway_is_away_when_its_samples_stop_and_back_
 
 
 @on_simulated_time
-async def test_between_two_samples_of_a_slow_group_a_gateway_is_there() -> None:
+async def test_gateway_is_present_between_two_samples_of_a_slow_group() -> None:
     now = asyncio.get_running_loop().time
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1000))
     async with (
@@ -72,7 +72,7 @@ async def test_between_two_samples_of_a_slow_group_a_gateway_is_there() -> None:
 
 
 @on_simulated_time
-async def test_what_comes_when_asked_for_says_nothing_by_its_silence() -> None:
+async def test_silence_of_samples_on_request_is_no_sign_of_absence() -> None:
     now = asyncio.get_running_loop().time
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link, link.subscribe([0]) as samples:
         presence = Presence(link, now())
@@ -81,14 +81,14 @@ async def test_what_comes_when_asked_for_says_nothing_by_its_silence() -> None:
 
 
 @on_simulated_time
-async def test_a_program_that_stood_still_does_not_take_that_for_silence() -> None:
+async def test_program_that_was_suspended_does_not_take_that_for_silence() -> None:
     now = asyncio.get_running_loop().time
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         async with link.subscribe([0], rate_hz=100) as samples:
             presence = Presence(link, now())
             assert await watch(presence, samples, 1) == []
             received = samples.received
-        # Of a program that was stopped, the first look comes before what has arrived is taken.
+        # In a program that was suspended, the first check runs before the received samples are taken.
         later = now() + 10 * SILENCE
         assert presence.look(later, received, 100) is None
         assert presence.look(later + STEP, received + 1000, 100) is None
@@ -98,15 +98,13 @@ async def test_a_program_that_stood_still_does_not_take_that_for_silence() -> No
 @on_simulated_time
 @pytest.mark.parametrize("rate_hz", [20, 5, 2, 0.2])
 @pytest.mark.parametrize("seconds", [0.4, 1, 3, 30])
-async def test_a_program_that_stands_still_takes_that_for_no_silence_of_samples_that_stood_still_with_it(
-    rate_hz: float, seconds: float
-) -> None:
+async def test_suspended_program_does_not_take_its_own_pause_for_a_lost_gateway(rate_hz: float, seconds: float) -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         presence = Presence(link, loop.time())
         for samples in range(20):
-            # As those that the program itself polls.
+            # A pause of the program also delays the samples that it polls itself.
             loop.jump(seconds)
             for _ in range(int(1.5 / rate_hz / STEP)):
                 assert presence.look(loop.time(), samples, rate_hz) is None
@@ -116,7 +114,7 @@ async def test_a_program_that_stands_still_takes_that_for_no_silence_of_samples_
 
 
 @on_simulated_time
-async def test_a_program_that_stood_still_notices_a_gateway_that_is_away_from_then_on() -> None:
+async def test_gateway_lost_during_a_suspension_is_noticed_afterwards() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     gateway = Valve(VirtualGateway())
@@ -138,7 +136,7 @@ async def test_a_program_that_stood_still_notices_a_gateway_that_is_away_from_th
 
 
 @on_simulated_time
-async def test_a_program_that_looks_seldom_notices_a_gateway_that_is_away_all_the_same() -> None:
+async def test_program_that_checks_rarely_still_notices_an_absent_gateway() -> None:
     loop = asyncio.get_running_loop()
     assert isinstance(loop, ModelledTimeLoop)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:

@@ -1,4 +1,4 @@
-"""Recordings: what is in the file, and the ways back out of it."""
+"""Recordings: the contents of the file, and their replay and export."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ def test_a_recording_has_all_samples_in_order_and_the_robot_that_they_are_of(rec
     assert not recording.was_cut
 
 
-def test_what_nothing_publishes_is_recorded_where_a_rate_to_poll_it_is_given(tmp_path: Path) -> None:
+def test_unpublished_signals_are_recorded_if_a_polling_rate_is_given(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     record(path, lambda recorder: recorder.samples >= 50, poll_hz=20)
 
@@ -141,7 +141,7 @@ def test_a_spec_that_publishes_nothing_is_not_recorded_silently(tmp_path: Path) 
     assert "nothing says when signals of robot are to be sampled" in result.stderr
 
 
-# Back
+# Replay and export
 
 
 def test_a_replay_publishes_each_recorded_sample_once(recorded: Path) -> None:
@@ -158,7 +158,7 @@ def test_a_replay_publishes_each_recorded_sample_once(recorded: Path) -> None:
     assert np.array_equal(np.array(run_simulated(watch())), words)
 
 
-def test_a_replay_refuses_writes_to_what_was_and_takes_others(recorded: Path) -> None:
+def test_replay_refuses_writes_to_recorded_signals_and_accepts_others(recorded: Path) -> None:
     async def write() -> None:
         gateway, _ = replay(Recording(recorded))
         async with unity_link.connect(gateway) as link:
@@ -170,7 +170,7 @@ def test_a_replay_refuses_writes_to_what_was_and_takes_others(recorded: Path) ->
 
 
 @pytest.mark.parametrize("loop", [False, True])
-def test_a_replay_stands_still_at_its_end_or_begins_again(recorded: Path, loop: bool) -> None:
+def test_replay_keeps_its_last_sample_or_begins_again(recorded: Path, loop: bool) -> None:
     seen: list[int] = []
 
     async def play() -> bool:
@@ -245,13 +245,13 @@ def test_a_table_has_a_row_for_each_sample_and_a_column_for_each_signal(
     ],
     ids=lambda value: " ".join(Path(word).name for word in value) if isinstance(value, list) else "",
 )
-def test_wrong_use_is_told_in_one_sentence(arguments: list[str], words: str) -> None:
+def test_wrong_use_is_reported_in_one_sentence(arguments: list[str], words: str) -> None:
     result = run(*arguments)
     assert result.returncode in {1, 2}
     assert words in result.stderr
 
 
-def test_a_speed_at_which_nothing_can_be_played_is_refused(recorded: Path) -> None:
+def test_replay_at_an_impossible_speed_is_refused(recorded: Path) -> None:
     for speed in (0, 1e300, math.inf):
         words = re.escape(f"a speed of {speed:g} was asked for, expected more than 0 and at most 1e+06")
         with pytest.raises(ArgumentError, match=words):
@@ -284,7 +284,7 @@ def test_an_export_that_is_interrupted_leaves_the_tables_as_they_were(
 
 
 @pytest.mark.parametrize("form", ["csv", "parquet"])
-def test_a_table_whose_name_a_directory_has_is_told_by_that_name(form: str, recorded: Path, tmp_path: Path) -> None:
+def test_table_with_the_name_of_a_directory_is_reported_by_that_name(form: str, recorded: Path, tmp_path: Path) -> None:
     taken = tmp_path / f"{recorded.stem}.state.{form}"
     taken.mkdir()
     with pytest.raises(RecordingError, match=f"^{re.escape(str(taken))} cannot be written: Is a directory$"):
@@ -292,6 +292,6 @@ def test_a_table_whose_name_a_directory_has_is_told_by_that_name(form: str, reco
     assert list(tmp_path.glob("*.part")) == []
 
 
-def test_a_directory_that_cannot_be_written_is_told(recorded: Path) -> None:
+def test_directory_that_cannot_be_written_is_reported(recorded: Path) -> None:
     with pytest.raises(RecordingError, match="cannot be written"):
         export(Recording(recorded), "csv", Path(os.devnull) / "x")

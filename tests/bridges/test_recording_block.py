@@ -1,4 +1,4 @@
-"""`async with Recorder(...)`: the file is finished, or gone, in whatever way the block ends."""
+"""`async with Recorder(...)`: the file is complete, or removed, however the block ends."""
 
 from __future__ import annotations
 

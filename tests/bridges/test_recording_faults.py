@@ -1,4 +1,4 @@
-"""Recordings where something goes wrong: what stays of them, and what is said."""
+"""Faults during a recording: the remaining file, and the messages."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def recorded(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def recorded_kinds(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A recording with signals of every kind."""
+    """Return a recording with signals of every kind."""
     path = tmp_path_factory.mktemp("kinds") / "kinds.mcap"
     record(path, lambda recorder: recorder.samples >= 10, "sim:", every_kind(32), poll_hz=100)
     return path
@@ -91,14 +91,14 @@ def recording(url: str, path: Path) -> Iterator[subprocess.Popen[str]]:
 
 
 def wait_for_samples(path: Path, than: int = 0) -> int:
-    """Wait until the file has grown twice beyond a size, and so has samples; give its size."""
+    """Wait until a file has grown twice beyond a size, so that it has samples; return its size."""
     wait_until(lambda: path.exists() and path.stat().st_size > than)
     first = path.stat().st_size
     wait_until(lambda: path.stat().st_size > first)
     return path.stat().st_size
 
 
-# The program ends in the middle
+# A program that ends during the recording
 
 
 def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -126,7 +126,7 @@ def test_at_every_instant_the_disk_has_all_but_the_last_second(tmp_path: Path, m
 
 
 @pytest.mark.parametrize("share", [0.85, 0.92, 0.98])
-def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Path, share: float) -> None:
+def test_cut_file_has_the_samples_before_the_cut(recorded: Path, tmp_path: Path, share: float) -> None:
     whole = recorded.read_bytes()
     cut = tmp_path / "cut.mcap"
     cut.write_bytes(whole[: int(len(whole) * share)])
@@ -136,7 +136,7 @@ def test_a_file_that_was_cut_gives_what_came_before(recorded: Path, tmp_path: Pa
     assert sequence == list(range(len(sequence)))
 
 
-def test_a_file_that_was_cut_before_its_first_sample_tells_what_would_have_come(recorded: Path, tmp_path: Path) -> None:
+def test_file_cut_before_its_first_sample_still_lists_its_groups(recorded: Path, tmp_path: Path) -> None:
     whole = recorded.read_bytes()
     cut = tmp_path / "cut.mcap"
     with recorded.open("rb") as file:
@@ -171,9 +171,7 @@ def test_a_chunk_that_was_damaged_costs_no_other(tmp_path: Path) -> None:
 
 
 @given(st.data())
-def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused(
-    recorded: Path, data: st.DataObject
-) -> None:
+def test_damaged_file_is_read_as_far_as_possible_or_refused(recorded: Path, data: st.DataObject) -> None:
     damaged = bytearray(recorded.read_bytes())
     for place in data.draw(st.lists(st.integers(0, len(damaged) - 1), min_size=1, max_size=5)):
         damaged[place] = data.draw(st.integers(0, 255))
@@ -186,18 +184,18 @@ def test_a_file_that_was_damaged_anywhere_is_read_as_far_as_it_can_be_or_refused
 
 
 Place = tuple[str | int, ...]
-"""Path of a value in JSON: names and indices, from the outside in."""
+"""Path to a value in JSON: names and indexes, from the outside in."""
 NUMBERS = st.sampled_from([0, -1, 1, 3, 64, 65, 255, 1 << 16, 1 << 31, 1 << 63, 1 << 70, 0.5, 5e-324, 1e308, -1e308])
 
 
 def head_of(path: Path, name: str) -> Any:
-    """Return what an attachment of a recording says."""
+    """Return the contents of an attachment of a recording."""
     with path.open("rb") as file:
         return next(json.loads(found.data) for found in make_reader(file).iter_attachments() if found.name == name)
 
 
 def with_head(recorded: Path, name: str, head: Any) -> Path:
-    """Write a recording again with another attachment, and with checks that are right."""
+    """Write a recording again with one attachment replaced and right checksums; return its path."""
     builder = RecordBuilder()
     with recorded.open("rb") as file:
         for record in StreamReader(file, emit_chunks=True).records:
@@ -208,12 +206,12 @@ def with_head(recorded: Path, name: str, head: Any) -> Path:
             record.write(builder)
     DataEnd(0).write(builder)
     path = recorded.with_name("changed.mcap")
-    path.write_bytes(MCAP0_MAGIC + builder.end())  # type: ignore[no-untyped-call]
+    path.write_bytes(MCAP0_MAGIC + builder.end())
     return path
 
 
 def numbers_in(json: Any, place: Place = ()) -> Iterator[Place]:
-    """Return where the numbers in JSON stand, without those of lines and columns, which are most of them."""
+    """Yield the paths to the numbers in JSON, except lines and columns, which are most of them."""
     if "span" in place:
         return
     if isinstance(json, (int, float)) and not isinstance(json, bool):
@@ -223,7 +221,7 @@ def numbers_in(json: Any, place: Place = ()) -> Iterator[Place]:
 
 
 def put(json: Any, place: Place, number: float) -> None:
-    """Put a number at a place of JSON."""
+    """Replace the number at a path in JSON."""
     for step in place[:-1]:
         json = json[step]
     json[place[-1]] = number
@@ -264,7 +262,7 @@ def test_a_recording_with_a_number_that_cannot_be_is_refused_with_it(
         Recording(path)
 
 
-def test_a_recording_of_a_gateway_without_groups_and_base_frequency_is_replayed(recorded: Path) -> None:
+def test_recording_of_a_gateway_without_groups_or_base_frequency_is_replayed(recorded: Path) -> None:
     head = head_of(recorded, GATEWAY_FILE)
     head.update(features=0, base_frequency_millihertz=0)
 
@@ -316,7 +314,7 @@ def test_a_chunk_that_would_fill_the_memory_is_left_out(
     ).write(builder)
     path = tmp_path / "bomb.mcap"
     whole, place = recorded.read_bytes(), summary.chunk_indexes[0].chunk_start_offset
-    path.write_bytes(whole[:place] + builder.end() + whole[place:])  # type: ignore[no-untyped-call]
+    path.write_bytes(whole[:place] + builder.end() + whole[place:])
     del data, packed
 
     tracemalloc.start()
@@ -370,7 +368,7 @@ def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("command", [["record", GATEWAY, str(SPEC), "-o", "x.mcap"], ["replay", "x.mcap", "--pty"]])
-def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: Path) -> None:
+def test_missing_mcap_is_reported_with_the_package_to_install(command: list[str], tmp_path: Path) -> None:
     script = (
         f"import sys; sys.modules['mcap'] = None; sys.argv[1:] = {command}; from unity_link.cli import main; main()"
     )
@@ -387,7 +385,7 @@ def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
+def test_full_disk_ends_the_recording_with_one_sentence_and_keeps_the_file(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     limit = 20_000
 
@@ -406,7 +404,7 @@ def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_i
 
 
 @pytest.mark.slow
-def test_a_disk_that_is_full_from_the_beginning_is_told_in_one_sentence() -> None:
+def test_disk_full_from_the_beginning_is_reported_in_one_sentence() -> None:
     result = run("record", GATEWAY, SPEC, "-o", "/dev/full", "--overwrite")
 
     assert result.returncode == 1
@@ -421,7 +419,7 @@ def test_a_disk_that_is_too_slow_costs_samples_that_are_counted(
     quick, fsync = threading.Event(), os.fsync
 
     def fsync_slowly(file: int) -> None:
-        # The head of the file is written before anything is sampled, and by the event loop.
+        # The event loop writes the head of the file before the first sample.
         if threading.current_thread() is not threading.main_thread():
             quick.wait()
         fsync(file)
@@ -457,7 +455,7 @@ def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_path: Path) -> None:
+def test_recording_is_replaced_on_request(recorded: Path, tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     path.write_bytes(recorded.read_bytes() * 20)
 
@@ -530,7 +528,7 @@ def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
+def test_recording_continues_after_a_gateway_reset_on_an_open_line(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -544,7 +542,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
             running = asyncio.create_task(Recorder(unity_link.load(SPEC)(link), path, report=said.append).run())
             await asyncio.sleep(1.3)
             gateway.reset()
-            # A link takes nine seconds of silence for a lost one.
+            # A link is lost after nine seconds of silence.
             await asyncio.sleep(13)
             running.cancel()
             await asyncio.wait([running])
@@ -559,7 +557,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
 
 
 @pytest.mark.slow
-def test_behind_a_server_the_time_without_samples_is_the_interruption(
+def test_interruption_behind_a_server_is_the_time_without_samples(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -603,7 +601,7 @@ public robot() { @a = 0x10: READWRITE(PUBLISH(changed)); }
 
 @pytest.mark.slow
 @pytest.mark.parametrize("others_ask", [False, True], ids=["an idle link", "a link that others use"])
-def test_behind_a_server_an_interruption_is_noted_also_where_nothing_is_sampled_at_a_rate(
+def test_interruption_behind_a_server_is_recorded_without_periodic_groups(
     others_ask: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -654,7 +652,7 @@ public robot() {
 
 
 @pytest.mark.parametrize("step", [3600.0, -3600.0, 4.0, -4.0])
-def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_they_are(
+def test_setting_the_system_clock_does_not_change_recorded_instants(
     step: float, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_in_place(monkeypatch)
@@ -675,7 +673,7 @@ def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_th
     by_group = {samples.group.name: samples for samples, _ in Recording(path).samples()}
     assert np.allclose(np.diff(by_group["fast"].at), 5_000_000, rtol=0.02)
     polled = by_group["poll_50_hz"].at / 1e9
-    # They arrive on the time of this machine, which is not modelled.
+    # Polled samples have the times of this machine's clock, which is not simulated.
     assert len(polled) > 100
     assert np.all(np.diff(polled) >= 0)
     assert began - 0.1 <= polled[0] <= polled[-1] <= clock() + 0.1
@@ -696,7 +694,7 @@ def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> N
     assert not was_cut(path)
 
 
-def test_a_link_that_does_not_reconnect_ends_the_recording_and_the_file_is_whole(tmp_path: Path) -> None:
+def test_lost_link_without_reconnection_ends_the_recording_with_a_whole_file(tmp_path: Path) -> None:
     path, place = tmp_path / "run.mcap", tmp_path / "gateway"
 
     async def record_until_it_is_lost() -> None:
@@ -715,7 +713,7 @@ def test_a_link_that_does_not_reconnect_ends_the_recording_and_the_file_is_whole
     assert not was_cut(path)
 
 
-def test_a_gateway_that_is_not_there_at_the_start_is_told_and_no_file_is_made(tmp_path: Path) -> None:
+def test_missing_gateway_at_the_start_is_an_error_and_no_file_is_made(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
 
     result = run("record", f"unix:{tmp_path / 'nothing'}", SPEC, "-o", path)

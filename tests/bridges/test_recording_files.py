@@ -1,4 +1,4 @@
-"""The file of a recording in the hands of others: the readers of mcap, its doctor, and what viewers demand of it."""
+"""The file of a recording as other programs read it: the readers of mcap, its doctor, and viewers."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 TOPICS = ("/robot/fast", "/robot/slow")
 MESSAGES = 1000
 PERIOD = 1_000_000
-"""Nanoseconds between messages of the fast channel; each tenth has one of the slow channel beside it."""
+"""Nanoseconds between messages of the fast channel; the slow channel has a message at each tenth."""
 CHUNKS = 4
 
 
@@ -53,7 +53,7 @@ def data_of(topic: str, number: int) -> bytes:
 
 @pytest.fixture(scope="module")
 def written() -> bytes:
-    """Two channels in four chunks, with what may stand between chunks."""
+    """Return a file with two channels in four chunks, and other records between the chunks."""
     stream = io.BytesIO()
     writer = ChunkWriter(stream, "test")
     writer.attach("a.json", "application/json", b"{}")
@@ -80,7 +80,7 @@ def facts(messages: Iterator[tuple[Any, Any, Message]], topic: str) -> list[tupl
 
 
 @pytest.mark.parametrize("topic", TOPICS)
-def test_readers_that_seek_and_that_do_not_find_each_message_and_check_all_sums(written: bytes, topic: str) -> None:
+def test_seeking_and_streaming_readers_find_all_messages_and_right_checksums(written: bytes, topic: str) -> None:
     seeking = make_reader(io.BytesIO(written), validate_crcs=True)
     streaming = NonSeekingReader(io.BytesIO(written), validate_crcs=True)
 
@@ -131,7 +131,7 @@ def chunk_data(chunk: Chunk) -> bytes:
     return data
 
 
-def test_the_summary_says_what_is_in_the_file(written: bytes) -> None:
+def test_summary_lists_the_contents_of_the_file(written: bytes) -> None:
     reader = make_reader(io.BytesIO(written), validate_crcs=True)
     summary = reader.get_summary()
     assert summary is not None
@@ -194,7 +194,7 @@ def test_a_file_without_messages_is_one() -> None:
 
 
 def assert_foxglove_takes(schema: dict[str, Any], what: str) -> None:
-    """Demand what Foxglove's reader of JSON schemas does (parseJsonSchema.ts of Foxglove Studio, and Lichtblick)."""
+    """Assert what Foxglove's reader of JSON schemas requires (parseJsonSchema.ts of Foxglove Studio and Lichtblick)."""
     assert schema["type"] == "object", what
     for name, part in schema["properties"].items():
         shown = part
@@ -230,7 +230,7 @@ def robot_of_floats() -> Any:
     rows=st.lists(st.tuples(*[st.sampled_from([*WORDS])] * len(FLOAT_PATHS)), min_size=1, max_size=5),
     time=st.none() | st.floats(0, 1e6),
 )
-def test_every_message_fits_its_schema_and_says_what_can_be_said(
+def test_every_message_fits_its_schema_and_has_all_representable_values(
     robot_of_floats: Any, rows: list[tuple[float, ...]], time: float | None
 ) -> None:
     signals = [robot_of_floats[path] for path in [*FLOAT_PATHS, "legs[1].on", "gap[1]"]]
@@ -268,7 +268,7 @@ def test_foxglove_takes_the_schema_of_any_group(spec: str | None, paths: list[st
     assert_foxglove_takes(Encoder(signals or list(interface.signals.values())).schema, "message")
 
 
-# Another program that knows the format
+# Another program that reads the format
 
 
 def judge(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
@@ -298,7 +298,7 @@ def test_a_file_of_many_channels_chunks_and_notes_passes_it_too(written: bytes, 
 
 
 @pytest.mark.slow
-def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
+def test_doctor_finds_damage(written: bytes, tmp_path: Path) -> None:
     path = tmp_path / "damaged.mcap"
     path.write_bytes(written[:2000] + bytes(50) + written[2050:])
 
@@ -306,13 +306,13 @@ def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tmp_path: Path) -> None:
+def test_mcap_recover_repairs_a_cut_recording_for_other_tools(tmp_path: Path) -> None:
     whole, cut, recovered = (tmp_path / f"{name}.mcap" for name in ("whole", "cut", "recovered"))
     record(whole, lambda recorder: recorder.samples >= 400)
     with whole.open("rb") as file:
         summary = make_reader(file).get_summary()
     assert summary is not None
-    # In the middle of the last chunk.
+    # Cut the file in the middle of the last chunk.
     cut.write_bytes(whole.read_bytes()[: summary.chunk_indexes[-1].chunk_start_offset + 100])
 
     judge("recover", cut, "-o", recovered)
@@ -325,7 +325,7 @@ def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tm
 
 
 def series(prefix: str, value: Any) -> dict[str, Any]:
-    """Return what PlotJuggler makes curves of: numbers and booleans, by the names that it gives them."""
+    """Return the numbers and booleans that PlotJuggler makes curves of, by its names for them."""
     if isinstance(value, dict):
         return {name: leaf for key, item in value.items() for name, leaf in series(f"{prefix}/{key}", item).items()}
     if isinstance(value, list):
@@ -343,12 +343,12 @@ def test_plotjuggler_makes_a_curve_of_each_signal(tmp_path: Path) -> None:
         summary = reader.get_summary()
         messages = list(reader.iter_messages())
 
-    # It reads the summary and looks at nothing else to find the channels, each of which must have a schema.
+    # PlotJuggler finds the channels in the summary alone; each channel must have a schema.
     assert summary is not None
     assert set(summary.schemas) == {channel.schema_id for channel in summary.channels.values()}
     assert all(message.publish_time == message.log_time for _, _, message in messages)
     curves = [series(channel.topic, json.loads(message.data)) for _, channel, message in messages]
     for signal in group.signals:
         values = [curve["/scara/state/signals/" + signal.path.replace(".", "/")] for curve in curves]
-        # What a curve has first decides of which type it is.
+        # The first value of a curve decides its type.
         assert {type(value) for value in values} == {float}, signal.path

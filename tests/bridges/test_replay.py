@@ -1,4 +1,4 @@
-"""Replays of several groups: at each instant the bus has what was sampled last, of whichever group."""
+"""Replays of several groups: at each instant, the bus has the latest samples of all groups."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ public robot() {
 """
 INFO = GatewayInfo(base_frequency_millihertz=2_000_000)
 Batches = list[tuple[int, list[tuple[float, tuple[int, ...]]]]]
-"""Numbers of groups, and samples of them: instants, and words."""
+"""Pairs of a group's number and a batch of its samples, which are pairs of instant in seconds and words."""
 
 
 class Milliseconds:
-    """A device that reads as the time, so that each word tells when it was sampled."""
+    """A device that reads as the time in milliseconds, so that each word contains the instant of its sample."""
 
     def read(self, offset: int, now: float) -> int:
         return round(now * 1000)
@@ -73,7 +73,7 @@ def robot(spec: str) -> Any:
 
 
 def recorded(path: Path, batches: Batches, syncs: set[int], spec: str = SPEC) -> Recording:
-    """Record batches of the groups of those numbers: instants in seconds, and words."""
+    """Return a recording of batches, with a sync of the file after the batches in `syncs`."""
     groups = sampled_groups(robot(spec))
     file = RecordingFile(path, robot(spec).interface, INFO, groups, overwrite=True)
     counters = [itertools.count() for _ in groups]
@@ -93,10 +93,10 @@ EPOCH = 1_000_000.0
 
 @st.composite
 def recordings(draw: st.DrawFn) -> Batches:
-    """Draw batches of three groups: each is in order, and its batches stand anywhere among those of the others."""
+    """Draw batches of three groups: those of one group are in order, and groups are mixed at random."""
     batches = []
     for group, addresses in enumerate(ADDRESSES):
-        # A group has one sample at an instant.
+        # Instants of one group differ.
         steps = draw(st.lists(st.integers(1, 400), min_size=group == 0, max_size=30))
         words = st.tuples(*(st.integers(1, 0xFFFF_FFFF) for _ in addresses))
         rows = [(EPOCH + at / 128, draw(words)) for at in itertools.accumulate(steps)]
@@ -110,7 +110,7 @@ def recordings(draw: st.DrawFn) -> Batches:
 
 
 @pytest.mark.parametrize("spec", [SPEC, WITHOUT_A_PERIOD], ids=["of a period", "without a period"])
-def test_a_recording_of_one_instant_stands_still_again_and_again(tmp_path: Path, spec: str) -> None:
+def test_recording_of_one_instant_repeats_its_sample(tmp_path: Path, spec: str) -> None:
     _, player = replay(recorded(tmp_path / "run.mcap", [(0, [(EPOCH, (5, 6))])], set(), spec), loop=True)
     for now in (0.0, 0.1, 5.0, 5000.0):
         assert [player.read(place, now) for place in range(2)] == [5, 6]
@@ -138,7 +138,7 @@ def test_at_each_instant_a_replay_has_the_last_sample_of_each_group(
 
     _, player = replay(recording)
     player.read(0, 0.0)
-    # In the middle between the instants at which there may be samples, as counted from the first access.
+    # Read halfway between possible instants of samples, counted from the first access.
     asked = sorted(data.draw(st.lists(st.integers(0, 12_000), min_size=1, max_size=30)))
     for steps in asked:
         now = (steps + 0.5) / 128
@@ -188,7 +188,7 @@ def test_a_recording_that_another_program_wrote_anew_is_played_the_same(
             writer.register_channel(channel.topic, "json", channel.schema_id, channel.metadata)
         for _, channel, message in reader.iter_messages(log_time_order=False):
             writer.add_message(channel.id, message.log_time, message.data, message.publish_time, message.sequence)
-        writer.finish()  # type: ignore[no-untyped-call]
+        writer.finish()
 
     rows = [[(row.at, row.group, row.words.tolist()) for row in of.in_order()] for of in (recording, Recording(again))]
 
@@ -224,7 +224,7 @@ def test_two_groups_of_different_rate_are_replayed_side_by_side(
     run_simulated(record())
     seen = run_simulated(play())
 
-    # 200 and 10 samples a second: the slow one is behind by no more than its period, and the fast one never waits.
+    # 200 and 10 samples a second: the slow group lags by at most its period, and the fast group never waits.
     assert len({fast for fast, _ in seen}) > 240
     assert all(0 <= fast - slow <= 110 for fast, slow in seen if slow)
     assert sum(slow == 0 for _, slow in seen) <= 11

@@ -1,4 +1,4 @@
-"""Recordings of random groups, replayed and recorded again: the same samples, and nothing lost."""
+"""Recordings of random groups, replayed and recorded again: the same samples, without losses."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ INFO = GatewayInfo(base_frequency_millihertz=2_000_000)
 
 
 class Instants:
-    """A device whose words tell when they were read, and where."""
+    """A device whose words contain the instant of the read, and the address."""
 
     def read(self, offset: int, now: float) -> int:
         return (round(now * 100_000) << 4) + offset
@@ -37,9 +37,9 @@ class Instants:
 
 class Robot(NamedTuple):
     groups: list[tuple[int, int, bool]]
-    """Groups, of each: its divisor, how many words it has, and whether with timestamps."""
+    """For each group: its divisor, its number of words, and True if it has timestamps."""
     polls: list[int]
-    """Rates of what the host reads."""
+    """Rates in Hz of the signals that the host polls."""
 
     def spec(self) -> Spec:
         lines, declared, address = [], [], 0x10
@@ -65,7 +65,7 @@ robots = st.builds(
 def record(
     monkeypatch: pytest.MonkeyPatch, spec: Spec, gateway: Any, path: Path, seconds: float, poll_hz: float | None
 ) -> dict[str, list[list[int]]]:
-    """Record for some time, and return the words of each group."""
+    """Record for some seconds; return the words of each group."""
 
     async def run(patched: pytest.MonkeyPatch) -> None:
         loop = asyncio.get_running_loop()

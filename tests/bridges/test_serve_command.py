@@ -43,7 +43,7 @@ def run(*arguments: str, **environment: str) -> subprocess.CompletedProcess[str]
 
 @contextmanager
 def started(*arguments: str, **environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run a command that serves; return it and the URL that it prints when it is ready."""
+    """Run a command that serves; yield the process, and the URL that it prints when it is ready."""
     with subprocess.Popen(
         [PROGRAM, *arguments],
         stdout=subprocess.PIPE,
@@ -64,10 +64,10 @@ def free_port() -> int:
         return port
 
 
-# Where, and for whom
+# Sockets and access to them
 
 
-def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> None:
+def test_unix_socket_is_private_and_removed_at_the_end(tmp_path: Path) -> None:
     with started("serve", "sim:", XDG_RUNTIME_DIR=str(tmp_path)) as (process, url):
         place = tmp_path / "unity-link.sock"
         assert url == f"unix:{place}"
@@ -82,7 +82,7 @@ def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> N
 
 
 @pytest.mark.slow
-def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tmp_path: Path) -> None:
+def test_served_socket_is_refused_and_a_stale_socket_is_replaced(tmp_path: Path) -> None:
     place = str(tmp_path / "socket")
     with started("serve", "sim:", "--unix", place) as (process, url):
         second = run("serve", "sim:", "--unix", place)
@@ -96,7 +96,7 @@ def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tm
         assert run("read", url, "0").returncode == 0
 
 
-def test_a_socket_at_which_a_program_stands_still_with_a_full_backlog_is_told_at_once(tmp_path: Path) -> None:
+def test_socket_of_a_suspended_program_with_full_backlog_is_refused_at_once(tmp_path: Path) -> None:
     place = str(tmp_path / "socket")
     with socket.socket(socket.AF_UNIX) as still, contextlib.ExitStack() as stack:
         still.bind(place)
@@ -121,7 +121,7 @@ def test_a_socket_of_another_kind_is_one_clear_error_and_stays(tmp_path: Path) -
     assert Path(place).is_socket()
 
 
-def test_without_a_runtime_directory_the_place_must_be_said() -> None:
+def test_unix_socket_needs_a_path_without_a_runtime_directory() -> None:
     result = run("serve", "sim:", XDG_RUNTIME_DIR="")
     assert result.returncode == 2
     assert "--unix PATH" in result.stderr
@@ -138,14 +138,14 @@ def test_tcp_listens_on_this_machine_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("place", [["--tcp", "0"], []], ids=["tcp", "no tcp"])
-def test_another_address_wants_tcp_and_a_token(place: list[str]) -> None:
+def test_another_address_needs_tcp_and_a_token(place: list[str]) -> None:
     result = run("serve", "sim:", *place, "--host", "0.0.0.0")
     assert result.returncode == 2
     assert ("--token-file" if place else "--tcp") in result.stderr
 
 
 @pytest.mark.parametrize("url", ["sim:", "sim:examples/rover.ul"])
-def test_an_interface_wants_a_spec(url: str) -> None:
+def test_interface_option_needs_a_spec(url: str) -> None:
     result = run("serve", url, "--tcp", "0", "--interface", "other")
     assert result.returncode == 2
     assert "--interface goes with --spec alone" in result.stderr
@@ -165,7 +165,7 @@ def test_a_token_that_can_be_none_is_one_clear_error(content: str | None, words:
 
 
 @pytest.mark.slow
-def test_a_wrong_token_is_hung_up_on_and_nothing_is_said(tmp_path: Path) -> None:
+def test_wrong_token_ends_the_connection_without_an_answer(tmp_path: Path) -> None:
     (tmp_path / "token").write_text("open-sesame\n")
     with started("serve", "sim:", "--tcp", "0", "--host", "0.0.0.0", "--token-file", str(tmp_path / "token")) as (
         _,
@@ -199,7 +199,7 @@ def test_the_token_may_come_in_the_environment() -> None:
 # systemd
 
 
-def test_systemd_is_told_when_clients_may_come_how_it_stands_and_that_it_lives(tmp_path: Path) -> None:
+def test_systemd_gets_readiness_status_and_watchdog_messages(tmp_path: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
         manager.bind(str(tmp_path / "notify"))
         manager.settimeout(60)
@@ -213,7 +213,7 @@ def test_systemd_is_told_when_clients_may_come_how_it_stands_and_that_it_lives(t
                     if line.startswith(beginnings):
                         told.clear()
                         return line
-            raise TimeoutError(f"nothing that begins with {beginnings} was told")
+            raise TimeoutError(f"no notification began with {beginnings}")
 
         place = tmp_path / "socket"
         port = free_port()
@@ -228,7 +228,7 @@ def test_systemd_is_told_when_clients_may_come_how_it_stands_and_that_it_lives(t
                     assert link.read(0) == 0
                     hear("STATUS=1 clients; the gateway answers")
                     hear("WATCHDOG=1")
-            # Where the manager is busy, only the newest status reaches it.
+            # If the manager is busy, it gets only the newest status.
             hear("STATUS=0 clients; the gateway is away", "STATUS=0 clients; waiting for the gateway")
             process.terminate()
             hear("STOPPING=1")
@@ -266,7 +266,7 @@ def test_the_gateway_may_be_away_at_the_start_and_in_between(tmp_path: Path) -> 
         assert process.poll() is None
 
 
-def test_a_gateway_that_nobody_has_is_wrong_use(tmp_path: Path) -> None:
+def test_unknown_gateway_is_wrong_use(tmp_path: Path) -> None:
     result = run("serve", "sim:delta", "--unix", str(tmp_path / "socket"))
     assert result.returncode == 2
     assert result.stderr.startswith("error: no robot 'delta' is known")
@@ -287,7 +287,7 @@ def test_another_gateway_in_its_place_ends_the_server_with_one_sentence(tmp_path
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_path: Path) -> None:
+def test_client_killed_during_a_request_disturbs_no_other(tmp_path: Path) -> None:
     program = (
         "import sys, unity_link.blocking as b\n"
         "with b.connect(sys.argv[1]) as link, link.subscribe([1], rate_hz=1000) as samples:\n"
@@ -314,12 +314,12 @@ def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_
                     return False
 
             wait_until(free)
-            # A busy machine may be too slow for a time out; nothing else is a reason to send anything again.
+            # A busy machine may be slow enough for time-outs; there must be no other retransmissions.
             assert link.statistics.repetitions <= link.statistics.timeouts
             assert link.statistics.damaged_frames == 0
 
 
-def test_a_client_that_stops_reading_and_one_that_talks_nonsense_disturb_nobody(tmp_path: Path) -> None:
+def test_clients_that_stop_reading_or_send_random_bytes_disturb_no_other(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with (
         started("serve", "sim:", "--unix", str(place)) as (process, url),
@@ -342,7 +342,7 @@ def test_a_client_that_stops_reading_and_one_that_talks_nonsense_disturb_nobody(
         assert link.statistics.reconnections == 0
 
 
-def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) -> None:
+def test_piped_requests_are_all_answered(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with started("serve", "sim:", "--unix", str(place)) as (_, url), socket.socket(socket.AF_UNIX) as pipe:
         assert run("read", url, "0").returncode == 0
@@ -356,7 +356,7 @@ def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) ->
 
 
 @pytest.mark.slow
-def test_more_callers_than_there_is_room_for_are_hung_up_on(tmp_path: Path) -> None:
+def test_connections_beyond_the_limit_are_closed(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with started("serve", "sim:", "--unix", str(place)) as (_, url), contextlib.ExitStack() as stack:
         assert run("read", url, "0").returncode == 0

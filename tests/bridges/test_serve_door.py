@@ -1,4 +1,4 @@
-"""Admission where a token is wanted, however many others stand before the door."""
+"""Access to a server with a token, however many unauthenticated clients are connected."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ async def is_served(terminal: Terminal) -> bool:
 
 @pytest.mark.parametrize("strangers", [MOST_CLIENTS, MOST_STRANGERS, 3 * MOST_STRANGERS])
 @on_simulated_time
-async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: int) -> None:
+async def test_silent_unauthenticated_clients_keep_no_client_with_the_token_out(strangers: int) -> None:
     async with sharing(VirtualGateway()) as shared:
         silent = [knock(shared) for _ in range(strangers)]
         for _ in range(20):
@@ -53,7 +53,7 @@ async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: i
             assert await is_served(knock(shared, f"token {TOKEN}\n".encode()))
         assert len(shared.clients) == 20
         assert len(shared.strangers) <= MOST_STRANGERS
-        # The oldest had to go.
+        # The server has closed the oldest connections.
         left = [terminal for terminal in silent if not terminal.gone]
         assert left == silent[-len(left) :]
         await asyncio.sleep(HURRY + 0.1)
@@ -62,7 +62,7 @@ async def test_silent_strangers_keep_nobody_out_who_knows_the_token(strangers: i
 
 
 @on_simulated_time
-async def test_clients_alone_count_towards_the_places_of_clients() -> None:
+async def test_only_clients_count_towards_the_limit_of_clients() -> None:
     async with sharing(VirtualGateway()) as shared:
         inside = [knock(shared, f"token {TOKEN}\n".encode()) for _ in range(MOST_CLIENTS)]
         await asyncio.sleep(0.01)
@@ -75,7 +75,7 @@ async def test_clients_alone_count_towards_the_places_of_clients() -> None:
 
 
 @pytest.mark.asyncio
-async def test_links_are_opened_with_the_token_while_256_strangers_hold_connections() -> None:
+async def test_links_open_by_token_beside_256_unauthenticated_connections() -> None:
     async with serve("sim:", tcp=0, token=TOKEN) as server, contextlib.AsyncExitStack() as stack:
         host, port = server.urls[0].removeprefix("tcp://").split(":")
         for _ in range(256):

@@ -1,4 +1,4 @@
-"""Groups of several clients on one gateway: whatever happens while it is lost and restored, each gets its own."""
+"""Groups of several clients on one gateway: each client gets its own samples, also after the gateway was lost."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 KILOHERTZ = 1_000_000
-"""A base frequency at which simulated time is quick."""
+"""A base frequency with few ticks, so that simulated time passes quickly."""
 
 
 def gateway_of(groups: int) -> VirtualGateway:
-    """Return a gateway whose words are their addresses."""
+    """Return a gateway on which each word equals its address."""
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=groups))
     gateway.memory.update({address: address for address in range(256)})
     return gateway
@@ -39,18 +39,18 @@ def drop(shared: SharedLink) -> None:
 
 
 async def come_back(shared: SharedLink) -> None:
-    """End the server's connection, and wait until there is another, over which groups are being restored."""
+    """End the server's connection; wait until the next connection is open, on which the server restores the groups."""
     drop(shared)
     await until(lambda: not shared.connected)
     await until(lambda: shared.connected)
 
 
 class Asker:
-    """A client that asks for one thing after another, and judges every sample by what it was answered.
+    """A client that makes one request after another, and checks each sample against the last answers.
 
     Args:
-        shared: the link.
-        addresses: those that this client alone samples.
+        shared: the shared link.
+        addresses: the addresses that only this client samples.
     """
 
     def __init__(self, shared: SharedLink, addresses: range) -> None:
@@ -58,13 +58,13 @@ class Asker:
         self.samples = 0
         self._addresses = addresses
         self._set: dict[int, int] = {}
-        """The address of each group, as answered last."""
+        """The address of each group, as last confirmed."""
         self._asked: dict[int, int] = {}
-        """The same, as asked for."""
+        """The address of each group, as last requested."""
         self._last: dict[int, int] = {}
 
     async def ask(self, command: str, group: int, address: int | None = None) -> str:
-        """Ask for something, and return the answer."""
+        """Send a command; return the answer."""
         fields = "" if address is None else f"01000A01{address:02X}"
         if address is not None:
             self._asked[group] = address
@@ -80,7 +80,7 @@ class Asker:
         return answer
 
     def _take_samples(self) -> str:
-        """Judge the samples that stand before the next answer, and return that."""
+        """Check the samples before the next answer; return the answer."""
         while b"\n" in self.terminal.heard:
             line, _, self.terminal.heard = self.terminal.heard.partition(b"\n")
             text = line.decode().rstrip("\r")
@@ -94,7 +94,7 @@ class Asker:
         return ""
 
     async def wander(self, seed: int, times: int) -> None:
-        """Set up, start, stop and publish groups at random."""
+        """Configure, start, stop and publish groups at random."""
         choices = random.Random(seed)
         for _ in range(times):
             group, command = choices.randrange(3), choices.choice(["GS", "GS", "GN", "GN", "GX", "GP"])
@@ -132,14 +132,14 @@ async def wander_and_lose(seed: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(12, 40))
-def test_clients_get_their_own_samples_and_no_number_twice_while_the_gateway_is_lost_and_they_leave(seed: int) -> None:
+def test_clients_get_their_own_samples_once_while_gateway_and_clients_vanish(seed: int) -> None:
     run_simulated(wander_and_lose(seed))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("when", [step / 1000 for step in range(0, 60, 3)])
 @pytest.mark.parametrize("what", ["leaves", "begins a session", "stops one group and sets up another"])
-def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: str, when: float) -> None:
+def test_client_requests_during_restoration_of_groups_disturb_no_other(what: str, when: float) -> None:
     @on_simulated_time
     async def act() -> None:
         gateway = gateway_of(8)
@@ -172,7 +172,7 @@ def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: st
 
 
 class HoldingBack(Valve):
-    """A gateway that sends samples as late as it may: right before an answer behind which they must not come."""
+    """A gateway that sends samples as late as it may: just before the next answer that no earlier sample may follow."""
 
     held = b""
 
@@ -194,7 +194,7 @@ class HoldingBack(Valve):
 
 
 @on_simulated_time
-async def test_late_samples_of_a_group_that_changes_hands_reach_only_whom_they_were_taken_for() -> None:
+async def test_late_samples_of_a_reassigned_group_reach_only_their_own_client() -> None:
     async with sharing(HoldingBack(gateway_of(1))) as shared:
         one, two = call(shared), call(shared)
         for _ in range(3):
@@ -209,7 +209,7 @@ async def test_late_samples_of_a_group_that_changes_hands_reach_only_whom_they_w
 
 
 @on_simulated_time
-async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> None:
+async def test_no_earlier_sample_follows_the_answer_that_begins_a_session() -> None:
     async with sharing(HoldingBack(gateway_of(2))) as shared:
         client, other = call(shared), call(shared)
         client.transport.write(b"GS0000000A0110\rGP00\r")
@@ -221,7 +221,7 @@ async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> 
 
 
 @on_simulated_time
-async def test_a_group_is_free_again_where_its_client_left_before_its_requests_got_through() -> None:
+async def test_group_is_freed_if_its_client_leaves_before_its_requests_are_sent() -> None:
     valve = Valve(gateway_of(1))
     async with sharing(valve) as shared, PipedLink(shared) as other:
         valve.requests_pass = False
@@ -238,10 +238,10 @@ async def test_a_group_is_free_again_where_its_client_left_before_its_requests_g
 
 
 class LosingAnswers(Valve):
-    """Loses the first answer to each command that is named.
+    """Loses the first answer to each of the given commands.
 
     Args:
-        gateway: what is behind.
+        gateway: the gateway at the end of the line.
         commands: in lower case.
     """
 
@@ -261,7 +261,7 @@ class LosingAnswers(Valve):
     [(b"GN00\r", b"gs", True), (b"GN00\rGX00\r", b"gn", False), (b"GN00\rGX00\rGS0001000A0111\rGN00\r", b"gx", True)],
 )
 @on_simulated_time
-async def test_a_group_runs_as_its_client_has_asked_for_also_where_an_earlier_answer_comes_last(
+async def test_group_runs_as_its_client_last_asked_if_an_earlier_answer_was_lost(
     asked: bytes, lost: bytes, *, runs: bool
 ) -> None:
     async with sharing(LosingAnswers(gateway_of(1), lost)) as shared:
@@ -278,7 +278,7 @@ async def test_a_group_runs_as_its_client_has_asked_for_also_where_an_earlier_an
 
 
 @on_simulated_time
-async def test_a_group_that_is_started_while_the_gateway_is_away_for_a_moment_begins_once() -> None:
+async def test_group_started_during_a_short_absence_of_the_gateway_begins_once() -> None:
     async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
         client = call(shared)
         drop(shared)
@@ -289,7 +289,7 @@ async def test_a_group_that_is_started_while_the_gateway_is_away_for_a_moment_be
 
 
 @on_simulated_time
-async def test_nothing_was_due_in_an_absence_for_a_group_that_did_not_run() -> None:
+async def test_stopped_group_misses_no_samples_during_an_absence() -> None:
     async with sharing(SlowLine(gateway_of(1), 10_000)) as shared:
         client = call(shared)
         client.transport.write(b"GS0001000A0110\rGP00\r")
@@ -301,7 +301,7 @@ async def test_nothing_was_due_in_an_absence_for_a_group_that_did_not_run() -> N
 
 
 @on_simulated_time
-async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_while_it_is_restored() -> None:
+async def test_missed_samples_are_counted_once_if_a_restoration_is_interrupted() -> None:
     async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
         client = call(shared)
         began = shared.loop.time()
@@ -315,13 +315,13 @@ async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_w
         await until(lambda: b"P00" in client.heard)
         due = (shared.loop.time() - began) * 100
         number = next(int(frame[3:5], 16) for frame in client.take().splitlines() if frame.startswith(b"P00"))
-        # The pauses between attempts grow, and a number has two digits.
+        # Allow a difference, because the pauses between attempts grow; a sequence number has two digits.
         assert (due - number) % 256 < 10
 
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored_leaves_the_server_to_others(
+async def test_server_survives_a_client_that_leaves_while_its_groups_are_restored(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
@@ -336,13 +336,13 @@ async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored
             other.transport.write(b"R10\r")
             await until(lambda: b"R" in other.heard)
             assert re.search(rb"R10[0-9A-F]{8}\r\n$", other.take())
-            # Else the pauses between attempts grow.
+            # Wait, so that the pauses between attempts do not grow.
             await asyncio.sleep(2)
     assert [record.message for record in caplog.records if record.levelno >= logging.ERROR] == []
 
 
 @on_simulated_time
-async def test_a_send_immediate_mode_that_two_clients_want_holds_when_the_first_leaves() -> None:
+async def test_send_immediate_mode_of_two_clients_stays_when_the_first_leaves() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         one, two = call(shared), call(shared)

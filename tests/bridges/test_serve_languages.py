@@ -1,4 +1,4 @@
-"""Programs in several languages on one link: the generated client in C, Python, and a person who types."""
+"""Programs in several languages on one link: the generated client in C, Python, and a person at a terminal."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ PROGRAM = str(Path(sys.executable).parent / "unity-link")
 
 @pytest.fixture(scope="module")
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The client in C as a program that takes commands."""
+    """Return the client in C, built as a program that reads commands."""
     directory = tmp_path_factory.mktemp("driver")
     generated("c", compile_text(FIGURE_1), directory)
     sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
@@ -34,7 +34,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def place(tmp_path: Path) -> Iterator[Path]:
-    """Yield the folder in which the virtual SCARA is shared."""
+    """Share the virtual SCARA; yield the folder of its socket."""
     path = tmp_path / "shared.sock"
     arguments = [PROGRAM, "serve", "sim:scara", "--unix", str(path)]
     with subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=os.environ) as server:
@@ -58,7 +58,7 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
     ):
         one.words(f"connect {url} 30")
         two.words(f"connect {url} 30")
-        # The same numbers of groups, each its own: 0x88 is a position, 0x8C its set point.
+        # Both clients use the same group numbers, each for its own groups: 0x88 is a position, 0x8C its set point.
         one.words("subscribe 0 100 t 88")
         two.words("subscribe 0 50 t 8c 88")
         link.write(0x8C, 1200)
@@ -67,7 +67,7 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
             assert [int(next(iter(samples)).values[0]) for _ in range(3)] == [1200] * 3
             ones = [one("next 0 30").split() for _ in range(20)]
             twos = [two("next 0 30").split() for _ in range(20)]
-        # A client that is not asked for samples in time loses some, and says so.
+        # A client that fetches samples too late loses some, and reports how many.
         assert numbers(ones) == [int(sample[1]) for sample in ones]
         assert numbers(twos) == [int(sample[1]) for sample in twos]
         assert {len(sample) for sample in ones} == {5}
@@ -82,5 +82,5 @@ def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place
 
 
 def numbers(samples: list[list[str]]) -> list[int]:
-    """Return the numbers that samples must have, from how many were lost before each."""
+    """Return the sequence numbers that samples must have, by the losses reported with each."""
     return [number - 1 for number in accumulate(int(sample[2]) + 1 for sample in samples)]

@@ -1,4 +1,4 @@
-"""Nodes of one port, each served at an address of its own."""
+"""Nodes of one port, each served at its own address."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 NODES = (1, 2, 5, 0xFE)
 
 
-def test_clients_of_four_nodes_have_each_their_own(tmp_path: Path) -> None:
+def test_clients_of_four_nodes_have_each_their_own_groups(tmp_path: Path) -> None:
     asyncio.run(_clients_of_four_nodes(tmp_path, build_shared_line(NODES, 2_000_000)))
 
 
 @pytest.mark.campaign
 @pytest.mark.rtl
-def test_clients_of_four_nodes_that_are_compiled_gateware_have_each_their_own(tmp_path: Path) -> None:
+def test_clients_of_four_compiled_nodes_have_each_their_own_groups(tmp_path: Path) -> None:
     info = configurations()["default"].info
     asyncio.run(_clients_of_four_nodes(tmp_path, build_shared_line(NODES, 2_000_000, info, build=compiled_node)))
 

@@ -1,4 +1,4 @@
-"""Limits of what the clients of a shared link may have under way."""
+"""Limits on the bytes that clients of a shared link have in flight."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from unity_link.bridges.serve.turns import LEAST_AHEAD, LONGEST_WAIT, Pace
 
 
 def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
-    """Carry all that is allowed over a line, again and again; each goes there and back in no less than 0.1 ms."""
+    """Carry the allowed bytes over a line repeatedly; each round trip takes at least 0.1 ms."""
     now = 0.0
     while now < seconds:
         size = pace.most_ahead
@@ -14,19 +14,19 @@ def carry(pace: Pace, bytes_per_second: float, seconds: float = 1.0) -> None:
         pace.carried(size, now)
 
 
-def test_a_quick_line_has_as_much_under_way_as_it_carries_in_the_longest_wait() -> None:
+def test_quick_line_has_as_many_bytes_in_flight_as_the_longest_wait_allows() -> None:
     pace = Pace()
     carry(pace, 40e6)
     assert 0.5 * 40e6 * LONGEST_WAIT <= pace.most_ahead <= 1.5 * 40e6 * LONGEST_WAIT
 
 
-def test_a_slow_line_never_has_more_under_way_than_the_least() -> None:
+def test_slow_line_has_the_fewest_bytes_in_flight() -> None:
     pace = Pace()
     carry(pace, 11_520.0, seconds=10.0)
     assert pace.most_ahead == LEAST_AHEAD
 
 
-def test_a_line_that_becomes_slow_has_less_under_way_soon() -> None:
+def test_line_that_becomes_slow_soon_has_fewer_bytes_in_flight() -> None:
     pace = Pace()
     carry(pace, 40e6)
     much = pace.most_ahead

@@ -1,4 +1,4 @@
-"""To its client, the server of a shared link is a gateway: it answers what the vectors and the document say."""
+"""To its clients, the server of a shared link is a gateway: it answers as the test vectors and the document state."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ FILES = [
 
 
 def in_words_of(shared: SharedLink, text: bytes) -> bytes:
-    """Return what a gateway says of itself as the server says it."""
+    """Return an answer of the gateway with the configuration that the server reports instead."""
     assert shared.codec is not None
     inner, outer = shared.gateway.to_hex(), shared.codec.info.to_hex()
     if inner not in text:
@@ -48,7 +48,7 @@ def in_words_of(shared: SharedLink, text: bytes) -> bytes:
 
 
 def parted(answer: bytes) -> tuple[bytes, list[bytes]]:
-    """Return responses and samples, each in their order."""
+    """Return the responses and the samples of an answer, each in their order."""
     frames = answer.splitlines(keepends=True)
     return (
         b"".join(frame for frame in frames if not frame.startswith(b"P")),
@@ -98,10 +98,11 @@ def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
 
 
 def damage_apart(answer: bytes) -> tuple[list[bytes], int]:
-    """Return the answers to requests in their order, and the number of damaged frames that were told of.
+    """Return the answers to requests in their order, and the number of reports of damaged frames.
 
-    A frame that is no request has no place among the requests: it is told of when it is seen, which may be before or
-    after the gateway has refused a posted write.
+    A damaged frame has no place in the order of requests: the server reports it at once, which may be before or after
+    the
+    gateway has refused a posted write.
     """
     frames = answer.splitlines(keepends=True)
     requests = [frame for frame in frames if not frame.startswith(b"X")]
@@ -118,7 +119,7 @@ OPERATIONS = st.tuples(
 
 
 def requests(command: str, first: int, count: int) -> list[bytes]:
-    """Return requests under consecutive IDs, to addresses around the one that fails."""
+    """Return requests with consecutive IDs, to addresses around the failing one."""
     fields = {"R": (), "H": None}.get(command, (1,))
     values = [() if fields is None else (number % 9, *fields) for number in range(first, first + count)]
     return [
@@ -128,7 +129,7 @@ def requests(command: str, first: int, count: int) -> list[bytes]:
 
 
 async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[bytes], dict[int, int]]:
-    """Return what a client hears after each operation, and the words that were written."""
+    """Return the bytes that a client receives after each operation, and the words that were written."""
     gateway = VirtualGateway()
     gateway.attach(Failing(), [7])
     heard = []
@@ -166,7 +167,7 @@ def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[
 @pytest.mark.slow
 @settings(max_examples=examples(60))
 @given(st.lists(OPERATIONS, max_size=12), st.sampled_from([MOST_UNDER_WAY, MOST_UNDER_WAY // 3]))
-def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_once(
+def test_client_read_in_turns_gets_the_same_answers_as_one_read_at_once(
     operations: list[tuple[Any, ...]], cost: int
 ) -> None:
     begun = [("K", 0, 1, bytes), *operations]

@@ -1,4 +1,4 @@
-"""The gateway is reset behind a server: what its clients are told, and that nothing goes on as if it had not been."""
+"""The gateway behind a server is reset: its clients get true outcomes, and no session continues."""
 
 from __future__ import annotations
 
@@ -26,36 +26,36 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 KILOHERTZ = 1_000_000
-"""A base frequency at which simulated time is quick."""
+"""A base frequency with few ticks, so that simulated time passes quickly."""
 CODEC = Codec(GatewayInfo())
 
 
 def lose(shared: SharedLink) -> None:
-    """End the server's connection to the gateway, with all that is under way on it."""
+    """End the server's connection to the gateway, with all requests in flight."""
     cut(shared)
 
 
 def opened(codec: Codec, frame: bytes) -> bytes:
-    """Return the body of an answer to a client in session 1, or of error 0A, which has no session any more."""
+    """Return the body of an answer to a client in session 1, or of error 0A, which belongs to no session."""
     return codec.framing.open(frame, 0 if len(frame) > 10 else SEED_BACK)
 
 
 def refusal(request: bytes) -> bytes:
-    """Return the frame of error 0A about a checked request of `w` or `ws`, without line ends."""
+    """Return the frame of error 0A for a checked request `w` or `ws`, without line end."""
     text, check = request[:-4], request[-4:]
     number = int(text.lstrip(b"ws")[:3], 16)
     return CODEC.framing.checked(CODEC.no_session(number, CODEC.framing.crc.of(text) ^ int(check, 16)))[:-1]
 
 
 async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
-    """Return the answers to what a client says; samples are none."""
+    """Send a client's requests; return the answers, without samples."""
     client.transport.write(text)
     await settle(shared)
     return [frame for frame in client.take().split() if not frame.startswith(b"P")]
 
 
 @on_simulated_time
-async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_no_session_is_executed() -> None:
+async def test_reset_leaves_sent_requests_unknown_and_refuses_queued_session_ones() -> None:
     gateway = VirtualGateway()
     valve = Valve(gateway)
     async with sharing(valve) as shared:
@@ -77,7 +77,7 @@ async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_n
 
 
 @on_simulated_time
-async def test_a_server_whose_number_is_drawn_again_acknowledges_nothing_and_ends() -> None:
+async def test_server_whose_session_number_is_reused_ends_without_acknowledging() -> None:
     gateway = VirtualGateway()
     async with sharing(gateway) as shared:
         client = call(shared)
@@ -114,7 +114,7 @@ async def test_nothing_with_an_id_is_executed_until_the_client_begins_a_session(
         answers = await say(client, shared, b"K8000002\rw8000B00000009\rh7FF\rh900\r")
         assert answers == [b"K80000020000", b"w800", b"h7FF000", b"n801"]
         assert gateway.memory[0x0B] == 9
-        # It is over for every client.
+        # The sessions of the other clients have ended too.
         assert await say(other, shared, b"h000\rK0000001\rh000\r") == [b"x0000A0000", b"K00000010000", b"h000000"]
 
 
@@ -137,9 +137,7 @@ async def test_the_groups_of_a_client_are_forgotten_and_free_for_others() -> Non
 @pytest.mark.parametrize("command", [b"GS0001000A0110\r", b"GN00\r", b"GP00\r", b"K0010001\r"])
 @pytest.mark.parametrize("running", [b"GN00\r", b"GP00\r"])
 @on_simulated_time
-async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_runs_nor_is_lost(
-    command: bytes, running: bytes
-) -> None:
+async def test_group_named_by_a_request_during_a_reset_neither_runs_nor_is_lost(command: bytes, running: bytes) -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
@@ -154,15 +152,13 @@ async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_ru
 
 
 @on_simulated_time
-async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed() -> (
-    None
-):
+async def test_batch_cut_by_a_reset_gets_one_true_outcome_for_each_request() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(SlowLine(gateway, 100_000)) as shared:
         client = call(shared)
         await say(client, shared, b"K0000001\r")
-        # More than the window takes, and than the server listens to at once.
+        # More requests than the window holds, and than the server reads at once.
         client.transport.write(
             request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10), SEED)
         )
@@ -182,7 +178,7 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
 
 
 @on_simulated_time
-async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_be_executed() -> None:
+async def test_requests_beyond_the_window_at_a_reset_are_known_not_to_be_executed() -> None:
     gateway = VirtualGateway(GatewayInfo(id_digits=2))
     codec = Codec(gateway.info)
     valve = Valve(gateway)
@@ -190,7 +186,7 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
         client = call(shared)
         await say(client, shared, b"K000001\r")
         valve.answers_pass = False
-        # The window takes 128: of the writes there is room for a part.
+        # The window holds 128 requests, so that only a part of the writes fits.
         client.transport.write(b"H\r" * 50)
         await asyncio.sleep(0.001)
         client.transport.write(
@@ -210,7 +206,7 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
 
 
 @on_simulated_time
-async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_the_gateway_is_away() -> None:
+async def test_client_hears_of_a_reset_after_a_posted_write_and_during_an_absence() -> None:
     gateway = VirtualGateway()
     valve = Valve(gateway)
     async with sharing(valve) as shared:
@@ -228,7 +224,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
 
 
 @on_simulated_time
-async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_all_clients() -> None:
+async def test_gateway_reset_on_an_open_line_ends_the_sessions_of_all_clients() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
@@ -247,16 +243,16 @@ async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_
 
 
 class ResetBefore(Valve):
-    """Stands in front of a gateway that is reset just before the next frame with a certain beginning.
+    """Resets a gateway just before the next frame that begins with `beginning`.
 
     Args:
-        gateway: what is behind.
+        gateway: the gateway at the end of the line.
     """
 
     def __init__(self, gateway: VirtualGateway) -> None:
         super().__init__(gateway)
         self.beginning = b""
-        """None if it is empty."""
+        """No reset if it is empty."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         if self.beginning and self.beginning in data:
@@ -267,7 +263,7 @@ class ResetBefore(Valve):
 
 @pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"KF9AF", b"K000", b"gs"])
 @on_simulated_time
-async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_clients_and_its_absence_does_not(
+async def test_reset_during_an_absence_ends_client_sessions_and_absence_alone_not(
     reset_before: bytes,
 ) -> None:
     was_reset = bool(reset_before)

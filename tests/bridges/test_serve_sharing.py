@@ -1,4 +1,4 @@
-"""Several clients on one link: what each may rely on, whatever the others and the lines do."""
+"""Several clients on one link: the guarantees that each client has, whatever other clients and lines do."""
 
 from __future__ import annotations
 
@@ -44,20 +44,20 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000
-"""A base frequency at which simulated time is quick."""
+"""A base frequency with few ticks, so that simulated time passes quickly."""
 OF_A_SESSION = [
     Codec(GatewayInfo()).request("R", 0, b"0A", SEED),
     Codec(GatewayInfo()).request("W", 0, b"0A00000001", SEED),
 ]
 FAILING = 0x44
-"""An address whose accesses end in a bus error."""
+"""An address at which every access ends in a bus error."""
 
 
 # Exactly once, in order
 
 
 class Program:
-    """A seeded program of one client, and what the bus must have seen of it: its words have its number on top."""
+    """A random program of one client, and the writes that the bus must see; the upper byte of a word is its number."""
 
     def __init__(self, link: Link, number: int, seed: int) -> None:
         self._link, self._number = link, number
@@ -90,7 +90,7 @@ class Program:
         elif kind == 4:
             await link.read_block(address, 5)
         else:
-            # The whole batch before any other call of this client is in line.
+            # The requests of this batch precede those of other calls of the client.
             await link.read_many(range(40))
 
 
@@ -114,7 +114,7 @@ async def run_programs(seed: int, chances: dict[str, float], *, slow: bool) -> N
 @pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(6, 20))
 @pytest.mark.parametrize("slow", [False, True], ids=["at once", "slow line"])
-def test_each_write_is_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
+def test_writes_are_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
     run_simulated(run_programs(seed, {"loss": 0.002, "flip": 0.002, "double": 0.002}, slow=slow))
 
 
@@ -122,7 +122,7 @@ def test_each_write_is_executed_once_and_in_order_over_bad_lines_on_both_sides(s
 
 
 @on_simulated_time
-async def test_clients_that_take_the_same_group_have_groups_of_their_own() -> None:
+async def test_clients_that_use_one_group_number_have_separate_groups() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     gateway.memory.update({1: 0x11, 2: 0x22})
     async with (
@@ -167,7 +167,7 @@ async def test_a_client_that_leaves_frees_its_groups() -> None:
 
 
 @on_simulated_time
-async def test_the_sequence_of_a_group_goes_on_when_the_gateways_group_was_lent_out_meanwhile() -> None:
+async def test_sequence_of_a_group_continues_after_another_client_used_its_slot() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=1))
     async with sharing(gateway) as shared:
         one, two = call(shared), call(shared)
@@ -216,7 +216,7 @@ async def test_samples_come_in_the_form_that_their_client_asked_for() -> None:
 
 
 @on_simulated_time
-async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they_have_asked() -> None:
+async def test_single_read_waits_for_one_turn_of_other_clients_only() -> None:
     line = SlowLine(VirtualGateway(), 100_000)
     async with sharing(line) as shared:
         links = [PipedLink(shared) for _ in range(4)]
@@ -231,13 +231,14 @@ async def test_a_lone_read_waits_for_one_turn_of_the_others_and_not_for_all_they
             left = sum(not task.done() for task in greedy)
             for task in greedy:
                 task.cancel()
-    # 60 blocks of 2 KB are 1.2 s; one turn of each of three others, and what is ahead of them, is some 10 KB.
+    # 60 blocks of 2 KB take 1.2 s; one turn of each of the three other clients, and the bytes ahead of them, about 10
+    # KB.
     assert left > 20
     assert each < 0.12
 
 
 class InOneRead(Valve):
-    """Answers together what it is asked within ten milliseconds."""
+    """Answers all requests of ten milliseconds together."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         super().__init__(gateway)
@@ -262,7 +263,7 @@ class InOneRead(Valve):
 
 
 @on_simulated_time
-async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_was_asked_behind_it() -> None:
+async def test_error_of_a_posted_write_precedes_the_answers_to_later_requests() -> None:
     gateway = VirtualGateway()
     RecordedBus(gateway, failing=frozenset({0x44}))
     codec = Codec(gateway.info)
@@ -273,7 +274,7 @@ async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_wa
         client.transport.write(codec.framing.checked(b"K0000001"))
         await settle(shared)
         client.take()
-        # Where they arrive together, those of single words behind a posted write are not taken together.
+        # Send them in two parts: the server does not take reads after a posted write as one row if all arrive together.
         client.transport.write(b"".join(requests[:2]))
         await asyncio.sleep(0.001)
         client.transport.write(b"".join(requests[2:]))
@@ -287,7 +288,7 @@ async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_wa
 async def busy_with_writes() -> AsyncIterator[
     tuple[RecordedBus, SharedLink, PipedLink, asyncio.Task[None], asyncio.Task[Words]]
 ]:
-    """Share a line with two clients of which one writes for long, and the other reads for longer."""
+    """Share a line between a client with many writes, and a client with more reads."""
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(SlowLine(gateway, 100_000)) as shared, PipedLink(shared) as writer, PipedLink(shared) as reader:
@@ -298,12 +299,12 @@ async def busy_with_writes() -> AsyncIterator[
 
 
 @on_simulated_time
-async def test_a_new_session_begins_behind_the_writes_that_a_connection_which_may_be_dead_has_left() -> None:
+async def test_new_session_begins_after_the_writes_that_a_dead_connection_left() -> None:
     async with busy_with_writes() as (bus, shared, _, writes, reads):
-        # The same program by another connection: the server has not seen yet that the first one is cut.
+        # The same program on another connection; the server has not noticed yet that the first connection is cut.
         async with PipedLink(shared) as after:
             await after.write(1, 400)
-            # Reads change nothing: they are not waited for.
+            # The session does not wait for the reads, which change nothing.
             assert not reads.done()
         await asyncio.gather(writes, reads)
     assert bus.writes == [(1, value) for value in range(401)]
@@ -324,7 +325,7 @@ async def test_a_new_session_does_not_wait_for_a_client_that_has_left() -> None:
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same_share_of_the_line() -> None:
+async def test_clients_with_blocks_and_clients_with_words_share_the_line_equally() -> None:
     moved = {"blocks": 0, "words": 0}
 
     async def move(name: str, link: Link) -> None:
@@ -343,7 +344,7 @@ async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same
         await asyncio.sleep(5)
         for task in tasks:
             task.cancel()
-    # By what they have under way, 128 words and 8 blocks, they would get shares of 1 to 6.
+    # By their requests in flight, 128 words and 8 blocks, their shares would be 1 to 6.
     assert 0.4 < moved["blocks"] / moved["words"] < 2.5
 
 
@@ -352,7 +353,7 @@ async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same
 
 @pytest.mark.slow
 @on_simulated_time
-async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_only() -> None:
+async def test_client_that_does_not_read_delays_no_other_and_loses_only_samples() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=10_000_000))
     async with sharing(gateway) as shared, PipedLink(shared) as other:
         deaf = call(shared)
@@ -375,7 +376,7 @@ async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_onl
 
 
 @on_simulated_time
-async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
+async def test_output_queue_of_a_client_that_does_not_read_is_bounded() -> None:
     async with sharing(VirtualGateway()) as shared:
         deaf = call(shared)
         deaf.transport.pause_reading()
@@ -404,7 +405,7 @@ async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flo
 
 @pytest.mark.parametrize("flood", [b"W0A00000001", b"WS0A00000001"])
 @on_simulated_time
-async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(flood: bytes) -> None:
+async def test_request_waits_for_few_requests_of_a_flooding_client(flood: bytes) -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     async with sharing(gateway) as shared, PipedLink(shared) as other:
@@ -418,7 +419,7 @@ async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(fl
 
 
 @on_simulated_time
-async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is_answered(
+async def test_posted_writes_free_their_space_when_later_reads_are_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(posted_writes, "FENCE_DELAY", 1.0)
@@ -432,7 +433,7 @@ async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is
 
 
 @on_simulated_time
-async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bounded() -> None:
+async def test_output_to_a_client_that_does_not_read_is_bounded() -> None:
     async with sharing(VirtualGateway()) as shared:
         deaf = call(shared)
         (client,) = clients_of(shared)
@@ -459,7 +460,7 @@ async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bou
     ),
     st.booleans(),
 )
-def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves: bool) -> None:
+def test_any_bytes_of_a_client_leave_others_served(said: list[bytes], leaves: bool) -> None:
     @on_simulated_time
     async def speak() -> None:
         gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
@@ -486,7 +487,7 @@ def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves:
 
 
 @on_simulated_time
-async def test_what_was_lost_on_the_way_of_a_client_that_has_left_is_not_sent_again() -> None:
+async def test_lost_requests_of_a_client_that_has_left_are_not_retransmitted() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     valve = Valve(gateway)
@@ -506,7 +507,7 @@ async def test_what_was_lost_on_the_way_of_a_client_that_has_left_is_not_sent_ag
 
 
 @on_simulated_time
-async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_executed() -> None:
+async def test_retransmission_is_acknowledged_only_after_the_request_was_executed() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -521,7 +522,7 @@ async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_execu
         for _ in range(3):
             client.transport.write(write)
             await asyncio.sleep(0.005)
-        # Nothing but signs of life.
+        # The server has sent only signs of life.
         assert client.take() == b"\n\n\n"
         valve.requests_pass = True
         await settle(shared)
@@ -546,7 +547,7 @@ async def test_a_short_absence_of_the_gateway_is_not_seen() -> None:
 
 
 @pytest.mark.parametrize("power", [True, False], ids=["cable", "power"])
-def test_a_long_absence_is_told_by_errors_and_the_clients_go_on_after_it(power: bool) -> None:
+def test_long_absence_causes_errors_and_clients_continue_afterwards(power: bool) -> None:
     run_simulated(be_away(power=power))
 
 
@@ -580,14 +581,15 @@ async def be_away(*, power: bool) -> None:
                 while not (sample.lost if power else sample.epoch):
                     sample = await anext(samples)
             if power:
-                # A hundred a second were due meanwhile; the gateway's clock went on, so the client knows how many.
+                # The group was due 100 times a second; the gateway's clock kept running, so that the client can count
+                # the losses.
                 assert sample.lost > 1000 * PATIENCE
             assert (await anext(samples)).lost == 0
         assert [word for address, word in bus.writes if address == 5] == [3]
 
 
 @on_simulated_time
-async def test_a_write_of_which_it_is_unknown_whether_it_was_executed_is_not_sent_again() -> None:
+async def test_write_with_unknown_outcome_is_not_retransmitted() -> None:
     gateway = VirtualGateway()
     bus = RecordedBus(gateway)
     valve = Valve(gateway)
@@ -640,7 +642,7 @@ async def test_a_server_can_be_ended_at_the_moment_at_which_the_gateway_goes(mon
 
 
 @on_simulated_time
-async def test_what_is_asked_of_a_group_in_a_short_absence_finds_it_set_up_again() -> None:
+async def test_group_is_restored_before_requests_made_in_a_short_absence() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:
         client = call(shared)
@@ -662,7 +664,7 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
         valve.requests_pass = False
         client.transport.write(b"K0000001\rws0000A00000001\rgs00103000001010B\rgx00203\rh005\r")
         await asyncio.sleep(0.01)
-        # Each of these would say that the posted write was executed.
+        # Any further answer would confirm the posted write.
         assert client.take() == b"K00000010000\r\n"
         valve.requests_pass = True
         await settle(shared)
@@ -671,7 +673,7 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
 
 
 @on_simulated_time
-async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_order() -> None:
+async def test_posted_writes_are_refused_in_order_while_the_gateway_is_away() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -687,7 +689,7 @@ async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_ord
 
 
 @on_simulated_time
-async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind_it() -> None:
+async def test_lost_posted_write_is_reported_before_the_answers_to_later_requests() -> None:
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
@@ -707,7 +709,7 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
 
 
 @on_simulated_time
-async def test_behind_a_half_duplex_medium_nothing_is_sent_while_an_answer_is_owed() -> None:
+async def test_half_duplex_server_sends_no_request_before_the_pending_answer() -> None:
     gateway = VirtualGateway(PAIR)
     bus = RecordedBus(gateway, failing=frozenset({FAILING}))
     pair = SharedPair(gateway)
@@ -730,7 +732,7 @@ async def test_behind_a_half_duplex_medium_nothing_is_sent_while_an_answer_is_ow
 
 
 @on_simulated_time
-async def test_behind_a_half_duplex_medium_a_posted_write_that_is_typed_is_executed_in_silence() -> None:
+async def test_typed_posted_write_to_a_half_duplex_gateway_gets_no_answer() -> None:
     gateway = VirtualGateway(PAIR)
     RecordedBus(gateway, failing=frozenset({FAILING}))
     async with sharing(SharedPair(gateway)) as shared:

@@ -1,4 +1,4 @@
-"""Samples on their way from the event loop to a thread: none of those that came is left behind."""
+"""Samples from the event loop to a thread: each received sample is handed over."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ public both() {
 GATEWAY = "sim:?base_frequency_millihertz=1000000"
 
 
-def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_is(tmp_path: Path) -> None:
+def test_all_received_samples_are_handed_over_at_the_end_to_a_slow_consumer(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
     taken: dict[int, list[int]] = {0: [], 1: []}
@@ -55,7 +55,7 @@ def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_i
             carrier = Carrier(groups, take_slowly, print, buffer=1 << 16)
             running = asyncio.create_task(carrier.run(ThreadPoolExecutor(1)))
             await asyncio.to_thread(busy.wait)
-            while link.statistics.samples < 100:  # noqa: ASYNC110  (nothing tells of samples that nobody takes)
+            while link.statistics.samples < 100:  # noqa: ASYNC110  (no event reports samples before they are taken)
                 await asyncio.sleep(0)
             running.cancel()
             free.set()
@@ -70,7 +70,7 @@ def test_at_the_end_all_that_has_come_is_handed_over_however_slow_who_takes_it_i
     assert carrier.carried == sum(map(len, taken.values()))
 
 
-def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_on(tmp_path: Path) -> None:
+def test_refused_polled_read_is_reported_once_and_others_continue(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000))
@@ -100,7 +100,7 @@ def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_o
     assert told == ["read of polled at 0x11: nothing on the bus answered (told once)"]
 
 
-def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tmp_path: Path) -> None:
+def test_polls_during_a_slow_end_are_not_lost(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")
 
@@ -154,7 +154,7 @@ def test_a_shared_gateway_that_is_away_at_the_beginning_is_waited_for(tmp_path: 
     assert told == ["starting a group: nothing on the bus answered (told once)"]
 
 
-def test_the_quickest_rate_is_of_groups_that_give_samples_whatever_happens(tmp_path: Path) -> None:
+def test_quickest_rate_counts_only_groups_that_always_publish(tmp_path: Path) -> None:
     (tmp_path / "robot.ul").write_text("""
 group changed(1, 1, ON_CHANGE);
 group steady(2, 100);

@@ -57,7 +57,7 @@ def spec(tmp_path: Path) -> str:
 
 @pytest.fixture
 def ros(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Run a master, which every process of the test looks for."""
+    """Run a ROS master for all processes of the test."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port: int = free.getsockname()[1]
     monkeypatch.setenv("ROS_MASTER_URI", f"http://127.0.0.1:{port}")
@@ -101,7 +101,7 @@ def test_figure_1_moves_the_motors_from_ros_1(gateway: str, spec: str, tmp_path:
 def test_a_launch_file_takes_the_parameters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write(generate("ros1", compile_text(FIGURE_1)), tmp_path / "packages")
     monkeypatch.setenv("ROS_PACKAGE_PATH", f"{tmp_path / 'packages'}:/usr/share")
-    # The Python of ROS has no Unity-Link: the package finds that of another Python on the path.
+    # The Python of ROS has no Unity-Link: the package finds another Python that has it, on the path.
     program, place = str(Path(sys.executable).parent / "unity-link"), tmp_path / "gateway"
     monkeypatch.delenv("PYTHONPATH", raising=False)
     monkeypatch.setenv("PATH", f"/usr/bin:/bin:{Path(program).parent}")

@@ -1,4 +1,4 @@
-"""The bridge to Zenoh as a process, against sessions of Zenoh in this one and links over it."""
+"""The bridge to Zenoh as a process, with sessions of Zenoh in this process and links over Zenoh."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def free_endpoint() -> str:
 
 @contextmanager
 def bridge(endpoint: str, link: str = GATEWAY, prefix: str = "robot/1") -> Iterator[subprocess.Popen[str]]:
-    """Run a bridge that listens at an endpoint."""
+    """Run a bridge that listens on an endpoint; yield the process."""
     with program("zenoh", SPEC, "--link", link, "--prefix", prefix, "--listen", endpoint) as process:
         yield process
 
@@ -58,7 +58,7 @@ def session(endpoint: str) -> Iterator[zenoh.Session]:
 
 
 def ask(peer: zenoh.Session, key: str, payload: object = None) -> Any:
-    """Return the only answer; that of a refusal, too."""
+    """Return the only answer to a query, also if it is a refusal."""
     given = None if payload is None else msgspec.json.encode(payload)
     for _ in range(100):
         for reply in peer.get(key, payload=given):
@@ -107,7 +107,7 @@ def test_signals_are_read_and_written_by_keys_in_batches_and_by_wildcards() -> N
         ("signals/nothing", None, "no signal at"),
     ],
 )
-def test_what_makes_no_sense_is_refused_and_nothing_of_it_is_written(
+def test_invalid_write_request_is_refused_and_nothing_is_written(
     key: str, payload: object, words: str, refusing: zenoh.Session
 ) -> None:
     assert words in ask(refusing, f"robot/1/{key}", payload)["error"]
@@ -159,7 +159,7 @@ def refusing() -> Iterator[zenoh.Session]:
 
 
 @pytest.mark.slow
-def test_publications_are_written_in_order_and_one_beyond_the_limits_is_told() -> None:
+def test_publications_are_written_in_order_and_values_off_limits_reported() -> None:
     place = free_endpoint()
     with bridge(place) as process, session(place) as peer:
         wait_for(process, "scara at robot/1")
@@ -212,7 +212,8 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
             unity_link.connect(url(place), timeout=PATIENCE) as link,
             link.subscribe([0x80], rate_hz=100) as mine,
         ):
-            # Beside the requests: what is not taken for as long as a busy machine needs for them is lost.
+            # Take samples while the requests run: a busy machine needs long for the requests, and samples not taken are
+            # lost.
             samples = asyncio.create_task(first_of(mine, 100))
             await link.write_block(0x8C, [1, 2, 3, 4])
             assert (await link.read_block(0x8C, 4)).tolist() == [1, 2, 3, 4]
@@ -231,7 +232,7 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
 
 
 @pytest.mark.slow
-def test_where_no_bridge_is_the_error_says_what_to_look_at() -> None:
+def test_error_without_a_bridge_names_the_command_that_starts_it() -> None:
     with pytest.raises(ConnectError, match="no bridge answers at robot/1: is `unity-link zenoh --prefix robot/1`"):
         blocking.connect(url(free_endpoint()), timeout=PATIENCE)
 
@@ -255,14 +256,14 @@ def test_a_url_that_makes_no_sense_is_explained(bad: str, words: str) -> None:
 
 
 def gets_a_sample(link: blocking.BlockingLink) -> bool:
-    """Return whether a group is free, and publishes."""
+    """Return True if a group is free, and publishes."""
     with contextlib.suppress(OutOfRangeError), link.subscribe([0x80], rate_hz=100) as mine:
         return bool(next(iter(mine)).values.shape == (1,))
     return False
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed_twice() -> None:
+def test_killed_client_frees_its_groups_and_no_write_executes_twice() -> None:
     script = (
         "import asyncio, sys, unity_link\n"
         "async def main():\n"
@@ -273,7 +274,7 @@ def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed
         "asyncio.run(main())\n"
     )
     place = free_endpoint()
-    # The bridge has one group, so that the next client gets one only if that of the killed one is free again.
+    # The bridge has one group, so that the next client gets it only after the group of the killed client was freed.
     with bridge(place, GATEWAY + "&groups=2") as process:
         wait_for(process, "scara at robot/1")
         for _ in range(2):
@@ -282,7 +283,7 @@ def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed
                 assert client.stdout.readline() == b"busy\n"
                 client.kill()
             with blocking.connect(url(place), timeout=PATIENCE) as link:
-                # On a busy machine the news that it was killed, and its last write, come late.
+                # On a busy machine, the report of the killed client and its last write arrive late.
                 wait_until(lambda: gets_a_sample(link))
                 before = link.read(POS_SP)
                 assert [link.read(POS_SP) for _ in range(20)] == [before] * 20
@@ -295,7 +296,7 @@ async def read_for_ever(link: unity_link.Link) -> None:
 
 
 @pytest.mark.slow
-def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_the_next_one() -> None:
+def test_link_notices_a_killed_bridge_at_once_and_reconnects_to_the_next() -> None:
     async def use(place: str) -> None:
         with_one = unity_link.connect(url(place), timeout=PATIENCE)
         patient = await unity_link.connect(url(place), timeout=PATIENCE, reconnect=True)
@@ -315,11 +316,11 @@ def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_th
         asyncio.run(use(place))
 
 
-# Around it
+# Other clients, bridges and routers
 
 
 @pytest.mark.slow
-def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
+def test_gateway_may_start_late_and_restart(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), tmp_path / "gateway"
     with bridge(place, f"unix:{gateway}") as process, session(place) as peer:
         wait_for(process, "waiting for the gateway")
@@ -327,7 +328,8 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
             with program("serve", "sim:scara", "--unix", str(gateway)):
                 wait_for(process, "scara at robot/1" if turn == 0 else "the gateway answers")
                 if turn > 0 and "error" in (answer := ask(peer, "robot/1/write", {"j1.pos_sp": 7})):
-                    # It is another gateway, without what was set. The outcome of a repeated request is unknown.
+                    # The gateway is a new one, without the values set before. The outcome of a retransmitted request is
+                    # unknown.
                     assert answer["error"].startswith("the gateway was reset; the request is ")
                 assert ask(peer, "robot/1/write", {"j1.pos_sp": 9}) == {"written": 1}
                 assert ask(peer, "robot/1/signals/j1/pos_sp") == 9
@@ -336,7 +338,7 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: Path) -> None:
+def test_gateway_that_leaves_and_returns_gets_no_value_twice(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--listen", place]
     with program(*command) as process, session(place) as peer, counting_up(peer):
@@ -352,7 +354,7 @@ def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: P
 
 
 @pytest.mark.slow
-def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value_once_and_others_go_on(
+def test_client_killed_during_queries_has_written_once_and_others_continue(
     tmp_path: Path,
 ) -> None:
     script = (
@@ -378,7 +380,7 @@ def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value
 
 @contextmanager
 def counting_up(peer: zenoh.Session) -> Iterator[None]:
-    """Put 0, 1, 2 and so on, to be written."""
+    """Put 0, 1, 2 and so on into the write topic of the bridge until the end of the block."""
     ended = threading.Event()
 
     def put() -> None:
@@ -420,7 +422,7 @@ def router(endpoint: str) -> Iterator[None]:
 
 
 @pytest.mark.slow
-def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_through_it() -> None:
+def test_links_and_queries_survive_a_router_that_starts_late_and_restarts() -> None:
     async def use(place: str) -> None:
         with router(place):
             await asyncio.to_thread(wait_for, process, "scara at robot/1")
@@ -442,7 +444,7 @@ def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_th
 
 
 @pytest.mark.slow
-def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: Path) -> None:
+def test_router_that_leaves_and_returns_causes_no_second_write(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--mode", "client"]
     with gateway.running(), program(*command, "--connect", place) as process, contextlib.ExitStack() as putting:
@@ -472,7 +474,7 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_wrong_use_is_told_in_one_sentence_and_nothing_else(arguments: list[str], words: str) -> None:
+def test_wrong_use_is_reported_in_one_sentence_and_nothing_else(arguments: list[str], words: str) -> None:
     result = subprocess.run(
         [PROGRAM, "zenoh", SPEC, "--link", "sim:scara", *arguments],
         capture_output=True,
@@ -502,7 +504,7 @@ def test_two_bridges_do_not_share_a_prefix() -> None:
 
 
 @pytest.mark.slow
-def test_by_default_nothing_is_open_to_other_machines() -> None:
+def test_bridge_is_closed_to_other_machines_by_default() -> None:
     opened = open_session(Network(), meeting=True)
     try:
         listening = subprocess.run(["ss", "-Hlntup"], capture_output=True, text=True, check=True).stdout
@@ -514,7 +516,7 @@ def test_by_default_nothing_is_open_to_other_machines() -> None:
 
 
 @pytest.mark.slow
-def test_a_second_bridge_of_a_machine_ends_with_its_summary_while_the_first_goes_on() -> None:
+def test_second_bridge_of_a_machine_ends_while_the_first_continues() -> None:
     arguments = ["zenoh", "examples/scara.ul", "--link", "sim:scara", "--prefix"]
     with program(*arguments, "first") as first, program(*arguments, "second") as second:
         for process in (first, second):

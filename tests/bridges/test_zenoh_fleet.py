@@ -1,4 +1,4 @@
-"""Fifty virtual gateways in one group of peers, with no router: two processes of 25 bridges each, and this one."""
+"""Fifty virtual gateways in one group of peers without a router: two processes of 25 bridges each, and this process."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def fleet(endpoint: str) -> Iterator[list[subprocess.Popen[bytes]]]:
 
 
 def positions(peer: zenoh.Session) -> dict[int, float]:
-    """Ask all robots at once."""
+    """Return the position of each robot, by one query to all."""
     replies = peer.get("fleet/*/signals/j1/pos_sp", timeout=PATIENCE)
     answers = [reply.ok for reply in replies if reply.ok is not None]
     return {int(str(one.key_expr).split("/")[1]): msgspec.json.decode(one.payload.to_bytes()) for one in answers}
@@ -69,7 +69,7 @@ def wait_for_robots(peer: zenoh.Session, count: int) -> None:
         time.sleep(0.1)
 
 
-def test_fifty_gateways_in_one_peer_group_answer_each_for_itself_and_those_that_die_leave_the_others_alone() -> None:
+def test_fifty_gateways_answer_each_for_itself_when_some_are_killed() -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
     peer = open_session(Network(listen=(endpoint,)))

@@ -1,4 +1,4 @@
-"""Requests of a peer of Zenoh to write: any bytes may come, and only what makes sense is written."""
+"""Write requests of a Zenoh peer: any bytes may arrive, and only valid requests are executed."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
 
 @pytest.mark.slow
 @given(payload=JSON.map(msgspec.json.encode) | st.binary(max_size=30) | st.just(b'{"word":1e999}'))
-def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, payload: bytes) -> None:
+def test_any_payload_is_written_or_refused_in_one_sentence(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             reader = Reader(robot_type(link))
@@ -48,7 +48,7 @@ def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, p
 @pytest.mark.parametrize(
     "payload", [b"[" * 100_000, b'{"word": 1001}', b'{"word": 1e999}', b"\xff", b"", b'{"seen": 1}']
 )
-def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> None:
+def test_payload_that_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:
         async with unity_link.connect("sim:") as link:
             with pytest.raises(ArgumentError):
@@ -58,9 +58,7 @@ def test_what_cannot_be_written_is_refused(robot_type: Any, payload: bytes) -> N
 
 
 @pytest.mark.parametrize("posted", [False, True])
-def test_words_fields_and_values_of_several_words_are_written_in_the_order_of_the_objects(
-    robot_type: Any, posted: bool
-) -> None:
+def test_words_fields_and_wide_values_are_written_in_the_order_of_objects(robot_type: Any, posted: bool) -> None:
     async def write() -> dict[str, Any]:
         async with unity_link.connect("sim:") as link:
             robot = robot_type(link)

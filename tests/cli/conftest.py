@@ -1,4 +1,4 @@
-"""A terminal for commands that need one."""
+"""A terminal for tests of commands that need one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A call in a process of its own is ended at its bounds, whatever the process that asks for it has taken itself."""
+"""A call in its own process is ended at its limits of time and memory, however much its parent has used."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ def test_memory_that_this_process_has_is_not_counted() -> None:
 
 
 @pytest.mark.slow
-def test_a_call_that_goes_on_is_ended() -> None:
+def test_call_beyond_its_time_is_ended() -> None:
     with pytest.raises(TooMuchError, match=r"^it takes more than 1 s of processor time; `--seconds` gives it more$"):
         call_bounded(lambda: sum(itertools.repeat(0)), "it", 1)
 
 
-def test_an_error_comes_back() -> None:
+def test_error_of_a_bounded_call_is_raised() -> None:
     def fail() -> None:
         raise ArgumentError("this is wrong")
 

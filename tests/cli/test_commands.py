@@ -1,4 +1,4 @@
-"""Commands as a shell sees them: what they print, what they say of wrong use, and the code that they exit with."""
+"""Commands as a shell runs them: their output, their messages about wrong use, and their exit codes."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def run(*arguments: str, stdin: str = "") -> subprocess.CompletedProcess[str]:
 
 @contextmanager
 def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run `unity-link simulate`, and return it and the line that it prints when it is ready."""
+    """Run `unity-link simulate`; yield the process, and the line that it prints when it is ready."""
     with subprocess.Popen([PROGRAM, "simulate", *arguments], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         try:
@@ -108,7 +108,7 @@ def test_a_signal_ends_a_served_gateway_at_once(kind: str, number: signal.Signal
 
 
 @on_model_and_gateware
-def test_what_a_program_may_read_is_json(kind: str) -> None:
+def test_output_for_programs_is_json(kind: str) -> None:
     url = f"{kind}:"
     info = json.loads(run("info", url, "--json").stdout)
     assert (info["data_bits"], info["protocol_version"]) == (32, PROTOCOL_VERSION)
@@ -116,7 +116,7 @@ def test_what_a_program_may_read_is_json(kind: str) -> None:
     assert [sample["values"] for sample in samples] == [{"0x10": 0}] * 3
 
 
-def test_info_says_whether_the_identifier_of_a_build_names_its_map() -> None:
+def test_info_reports_if_the_build_id_is_a_fingerprint_of_the_map() -> None:
     assert re.search("^map +0x0000CAFE$", run("info", "sim:?features=0x17F&build_id=0xCAFE").stdout, re.MULTILINE)
     assert re.search("^build +0x0000CAFE$", run("info", "sim:?build_id=0xCAFE").stdout, re.MULTILINE)
 
@@ -168,7 +168,7 @@ def test_a_reader_of_the_output_may_go_before_its_end(command: str) -> None:
         (PermissionError(errno.EACCES, "Permission denied", "/some/file"), "error: /some/file: Permission denied"),
     ],
 )
-def test_what_the_system_refuses_is_told_as_that(
+def test_error_of_the_system_is_reported_as_such(
     error: OSError, words: str, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     program = typer.Typer()
@@ -196,12 +196,12 @@ def test_a_command_without_stdout_does_its_work() -> None:
 @pytest.mark.parametrize(
     ("command", "code", "lines"), [("watch sim: 0x10 --count 3", 0, 4), ("read sim: none", 2, 0)], ids=["note", "error"]
 )
-def test_a_command_whose_stderr_takes_nothing_does_its_work(command: str, code: int, lines: int) -> None:
+def test_command_works_although_stderr_is_full(command: str, code: int, lines: int) -> None:
     result = in_shell(f"unity-link {command} 2>/dev/full")
     assert (result.returncode, len(result.stdout.splitlines())) == (code, lines)
 
 
-def test_watch_counts_the_samples_that_it_has_written_and_not_those_that_came_meanwhile() -> None:
+def test_watch_counts_only_the_samples_that_it_has_written() -> None:
     fast = "sim:?base_frequency_millihertz=50000000"
     result = run("watch", fast, "0x10", "--rate", "50000", "--count", "3")
     assert len(result.stdout.splitlines()) == 1 + 3
@@ -228,7 +228,7 @@ def in_odd_place(command: str, place: Path) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture(scope="module")
 def odd_place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Return a directory with a spec and a recording whose names are no UTF-8."""
+    """Return a folder with a spec and a recording whose names are not UTF-8."""
     place = tmp_path_factory.mktemp("odd")
     (place / f"{ODD_NAME}.ul").write_text("public odd() { @a = 0: READWRITE(POLL(50)); }")
     in_odd_place("record sim: $spec --output $name.mcap --duration 1", place)
@@ -248,7 +248,7 @@ def odd_place(tmp_path_factory: pytest.TempPathFactory) -> Path:
         "export $name.mcap --parquet",
     ],
 )
-def test_a_file_whose_name_is_no_utf_8_is_one_like_any_other(command: str, odd_place: Path) -> None:
+def test_file_with_a_name_that_is_not_utf_8_works_like_any_other(command: str, odd_place: Path) -> None:
     result = in_odd_place(command, odd_place)
     assert result.returncode == 0, result.stderr
     if "--json" in command:
@@ -256,7 +256,9 @@ def test_a_file_whose_name_is_no_utf_8_is_one_like_any_other(command: str, odd_p
 
 
 @pytest.mark.rtl
-def test_without_a_compiler_a_command_says_what_to_install(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_missing_compiler_is_reported_with_the_package_to_install(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.delenv("CXX", raising=False)
     for arguments in (["read", "rtl:", "0"], ["simulate", "--rtl", "--pty"]):

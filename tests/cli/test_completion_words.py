@@ -1,4 +1,4 @@
-"""Words that a shell completes are names of files, too, and zsh evaluates them."""
+"""Words that a shell completes may be names of files, and zsh evaluates them."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""`explain`: a snoop, read aloud."""
+"""`unity-link explain`: a snoop file as readable text."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 @pytest.fixture
 def snoop(tmp_path: Path) -> Path:
-    """Make a snoop of a link on simulated time."""
+    """Return the snoop file of a link on simulated time."""
     path = tmp_path / "a.snoop"
 
     async def use() -> None:
@@ -47,7 +47,7 @@ def snoop(tmp_path: Path) -> Path:
     return path
 
 
-def test_each_frame_is_a_line_with_time_direction_and_meaning_and_a_summary_comes_last(snoop: Path) -> None:
+def test_explain_prints_time_direction_and_meaning_of_frames_and_a_summary(snoop: Path) -> None:
     result = run("explain", snoop)
     assert result.returncode == 0
     lines = [" ".join(line.split()) for line in result.stdout.splitlines()]
@@ -81,7 +81,7 @@ def test_json_has_an_object_for_each_frame_and_the_summary(snoop: Path) -> None:
     assert result.stderr == ""
 
 
-def test_a_stretch_of_time_is_shown_alone(snoop: Path) -> None:
+def test_explain_shows_a_range_of_time(snoop: Path) -> None:
     times = [json.loads(line).get("time") for line in run("explain", snoop, "--json").stdout.splitlines()]
     middle = times[len(times) // 2]
     result = run("explain", snoop, "--json", "--from", middle, "--to", middle + 1e-7)
@@ -89,7 +89,7 @@ def test_a_stretch_of_time_is_shown_alone(snoop: Path) -> None:
     assert {one["time"] for one in shown[:-1]} == {middle}
 
 
-def test_of_a_file_that_was_cut_what_is_whole_is_shown_and_the_rest_is_one_sentence(snoop: Path) -> None:
+def test_whole_records_of_a_cut_file_are_shown_and_the_cut_is_one_sentence(snoop: Path) -> None:
     whole = run("explain", snoop)
     snoop.write_bytes(snoop.read_bytes()[:-7])
     result = run("explain", snoop)
@@ -124,7 +124,7 @@ def test_wrong_use_is_one_sentence(
     (tmp_path / "later").write_bytes(section.replace(b"snoop 1", b"snoop 2"))
     (tmp_path / "other").write_bytes(section.replace(pcapng.FORM.encode(), b"dumpcap".ljust(len(pcapng.FORM))))
     result = run("explain", *arguments)
-    # A file that is not there is a failure, as in `check` and `export`.
+    # A missing file is a failure, and no wrong use, as in `check` and `export`.
     assert result.returncode == (1 if "cannot be read" in words else 2)
     assert result.stdout == ""
     (line,) = result.stderr.splitlines()

@@ -47,13 +47,13 @@ def boards(
     also: Found | None = None,
     address: str = "127.0.0.1",
 ) -> Iterator[int]:
-    """Answer for boards behind one socket, as hubs show boards of one address; gives its port.
+    """Answer for several boards on one socket, as hubs show boards with the same address; yield the port.
 
     Args:
-        founds: what they tell.
-        heeds: true if they take addresses.
-        becomes: boards as they are after the first question for one board.
-        also: board that answers a question for another board as well, and no question to all.
+        founds: the answers of the boards.
+        heeds: True if the boards accept a new address.
+        becomes: the answers from the first question to a single board on, by the earlier ones.
+        also: a board that also answers questions to another board, and no question to all boards.
         address: of the socket.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as opened:
@@ -117,7 +117,7 @@ def test_simulated_boards_are_listed_with_name_map_and_session() -> None:
             board.terminate()
 
 
-def test_boards_of_one_address_are_told_apart_and_named() -> None:
+def test_boards_with_one_address_are_distinguished_and_named() -> None:
     with boards([LAMP, CART]) as port:
         result = find("--port", str(port), "--wait", "0.4")
     assert result.returncode == 0
@@ -132,7 +132,7 @@ def test_boards_of_one_address_are_told_apart_and_named() -> None:
 
 
 @pytest.mark.parametrize("second", [LAMP, LAMP._replace(name="cart")], ids=["alike", "of another name"])
-def test_two_boards_of_one_mac_are_told_and_get_no_address(second: Found) -> None:
+def test_two_boards_with_one_mac_are_reported_and_get_no_address(second: Found) -> None:
     with boards([LAMP, second]) as port:
         listed = find("--port", str(port), "--wait", "0.4")
         refused = find("--port", str(port), "--wait", "0.4", "--assign", "02:55:4c:00:00:01=10.1.2.3")
@@ -151,7 +151,7 @@ def test_a_board_is_given_an_address_and_shown_with_it() -> None:
     assert missing.stderr == f"error: no board with the MAC address 02:55:4c:00:00:09 has answered at port {port}\n"
 
 
-def test_a_name_does_nothing_to_the_terminal_and_makes_no_line() -> None:
+def test_name_of_a_board_has_no_control_sequences_and_no_line_ends() -> None:
     names = ["\x1b[2Jx\x07", "a\nudp://10.0.0", "b\r\nmap", "c\rmap", "d\tmap"]
     founds = [
         LAMP._replace(name=name, mac=bytes.fromhex(f"02554c0000{number:02x}")) for number, name in enumerate(names, 1)
@@ -162,7 +162,7 @@ def test_a_name_does_nothing_to_the_terminal_and_makes_no_line() -> None:
     assert "\x07" not in result.stdout
     rows = result.stdout.splitlines()
     assert [row.split("  ")[2] for row in rows] == ["\ufffd[2Jx\ufffd", "a udp://10.0.0", "b map", "c map", "d map"]
-    # A note of many boards with one address names some.
+    # A note about many boards with one address names only some of them.
     (note,) = result.stderr.splitlines()
     assert note.count(" and ") == 4
     assert "02:55:4c:00:00:04 (c map) and 1 more: give each another one" in note
@@ -170,7 +170,7 @@ def test_a_name_does_nothing_to_the_terminal_and_makes_no_line() -> None:
 
 @contextmanager
 def echo(address: str, port: int = 0) -> Iterator[int]:
-    """Send each datagram back, as the service `echo` does; gives the port."""
+    """Send each datagram back, as the service `echo` does; yield the port."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as opened:
         opened.bind((address, port))
 
@@ -206,7 +206,7 @@ def test_an_address_that_another_board_has_taken_since_is_not_assigned(heeds: bo
 
 
 def test_an_answer_of_another_board_does_not_show_that_an_address_was_taken() -> None:
-    """A board answers each question, also the one for another board, whose address it has: nobody took it."""
+    """Another board, which has the wanted address already, answers too; the asked board did not take the address."""
     intruder = CART._replace(ip=socket.inet_aton("10.1.2.3"))
     with boards([LAMP], heeds=False, also=intruder) as port:
         result = find("--port", str(port), "--wait", "0.4", "--assign", "02:55:4c:00:00:01=10.1.2.3")

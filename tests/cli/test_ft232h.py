@@ -1,4 +1,4 @@
-"""`unity-link ft232h` on virtual chips."""
+"""`unity-link ft232h` with virtual chips."""
 
 from __future__ import annotations
 
@@ -52,12 +52,12 @@ def test_the_chips_that_are_plugged_in_are_listed_by_their_urls() -> None:
     assert [line.split()[0] for line in text.splitlines()] == ["ftdi://ftdi:232h:AAA/1", "ftdi://ftdi:232h:BBB/1"]
 
 
-def test_no_chip_is_said_in_words() -> None:
+def test_missing_chip_is_reported() -> None:
     with plugged_in():
         assert run("info") == (0, "", "no FT232H and no FT2232H is plugged in\n")
 
 
-def test_what_an_eeprom_says_is_shown() -> None:
+def test_contents_of_an_eeprom_are_shown() -> None:
     with plugged_in(build_eeprom("UART", "S17")):
         code, text, _ = run("info", URL)
         data = msgspec.json.decode(run("info", URL, "--json")[1])
@@ -97,7 +97,7 @@ def test_configure_makes_the_pins_a_fifo_after_the_next_plug_in(image: bytes, se
         assert "FIFO" in run("info", URL)[1]
 
 
-def test_configure_keeps_what_else_a_sound_eeprom_says() -> None:
+def test_configure_keeps_the_other_contents_of_a_valid_eeprom() -> None:
     image = build_eeprom("UART", "S1", manufacturer="Somebody", product="Something")
     with plugged_in(image) as [device]:
         run("configure", URL, "--mode", "fifo", "--yes")
@@ -105,7 +105,7 @@ def test_configure_keeps_what_else_a_sound_eeprom_says() -> None:
 
 
 @pytest.mark.parametrize("answer", ["n\n", ""])
-def test_without_a_yes_nothing_is_written(answer: str) -> None:
+def test_eeprom_is_written_only_after_a_yes(answer: str) -> None:
     with plugged_in(build_eeprom("UART", "S1")) as [device]:
         code, _, notes = run("configure", URL, "--mode", "fifo", answer=answer)
         assert code == 1
@@ -113,12 +113,12 @@ def test_without_a_yes_nothing_is_written(answer: str) -> None:
         assert device.chip.eeprom == build_eeprom("UART", "S1")
 
 
-def test_a_chip_that_is_right_already_is_left_alone() -> None:
+def test_eeprom_that_is_right_already_is_not_written() -> None:
     with plugged_in(build_eeprom("FIFO", "S1")):
         assert "nothing to do" in run("configure", URL, "--mode", "fifo")[2]
 
 
-def test_an_eeprom_that_keeps_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_eeprom_that_does_not_store_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     with plugged_in(BLANK) as [device]:
         monkeypatch.setattr(device.chip, "eeprom", KeepsNothing(BLANK))
         with pytest.raises(ConnectError, match="did not keep"):
@@ -136,7 +136,7 @@ def test_each_port_is_listed_by_its_url() -> None:
     assert [line.split()[0] for line in lines] == ["ftdi://ftdi:2232h:AAA/1", "ftdi://ftdi:2232h:AAA/2"]
 
 
-def test_what_an_eeprom_says_is_shown_for_the_port() -> None:
+def test_contents_of_an_eeprom_are_shown_for_the_port() -> None:
     with plugged_in(build_eeprom("FIFO", "S17", kind=FT2232H), kind=FT2232H):
         answers = [msgspec.json.decode(run("info", f"ftdi://ftdi:2232h/{port}", "--json")[1]) for port in (1, 2)]
     assert [(answer["chip"], answer["port"], answer["channel_type"]) for answer in answers] == [
@@ -146,7 +146,7 @@ def test_what_an_eeprom_says_is_shown_for_the_port() -> None:
     assert answers[1]["description"] == "the EEPROM makes port B of the FT2232H a UART"
 
 
-def test_configure_changes_one_port_and_keeps_the_driver_that_is_named_beside_it() -> None:
+def test_configure_changes_one_port_and_keeps_the_driver_of_the_other() -> None:
     image = bytearray(build_eeprom("UART", "S1", kind=FT2232H))
     image[0] = image[1] = 0x08
     image[-2:] = checksum(image[:-2]).to_bytes(2, "little")
@@ -169,7 +169,7 @@ def test_a_blank_eeprom_becomes_one_of_its_chip() -> None:
         assert device.chip.eeprom[2:8] == bytes.fromhex("0304 1060 0007")
 
 
-def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
+def test_simulate_serves_a_chip_by_usbip_and_prints_how_to_attach_it() -> None:
     command = [str(Path(sys.executable).parent / "unity-link"), "simulate", "--usbip", "0"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
         assert served.stdout is not None
@@ -181,7 +181,7 @@ def test_simulate_serves_a_chip_by_usbip_and_says_how_to_attach_it() -> None:
 
 
 class KeepsNothing(bytearray):
-    """The memory of a board that has none."""
+    """The EEPROM of a board without one: writes have no effect."""
 
     def __setitem__(self, place: object, value: object) -> None:
         pass

@@ -1,4 +1,4 @@
-"""`demo` and `watch` on a terminal, as who sits before it sees them."""
+"""`demo` and `watch` on a terminal, as a user sees them."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def terminal(terminal: Window) -> Window:
 
 @contextmanager
 def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
-    """Serve a gateway at the URL unix:gateway of the terminal; return the way to its thread."""
+    """Serve a gateway at the URL unix:gateway of the terminal; yield the portal to its event loop."""
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(serve_unix(gateway, folder / "gateway")),
@@ -47,7 +47,7 @@ def served(gateway: Gateway, folder: Path) -> Iterator[BlockingPortal]:
 
 
 def counting_gateway() -> VirtualGateway:
-    """Return a gateway of which each sample of 0x10 is one more than the one before."""
+    """Return a gateway on which each sample of 0x10 is one more than the sample before."""
     gateway = VirtualGateway(GatewayInfo())
     gateway.bus.attach(CountingDevice(), [0x10])
     return gateway
@@ -67,7 +67,7 @@ def value(screen: str) -> float:
 
 
 def assert_restored(terminal: Window, code: int) -> str:
-    """Wait for the end of a command with its code; assert that all is as it was before it, and return what it left."""
+    """Wait for the exit code of a command; assert that the terminal is restored; return all text on it."""
     terminal.wait_for(rf"^code {code}$", r"^\$ *$")
     assert terminal.state == GIVEN_BACK
     terminal.enter("echo typed $((6 * 7))")
@@ -78,7 +78,7 @@ def assert_restored(terminal: Window, code: int) -> str:
     return left
 
 
-def test_the_demo_moves_and_loses_nothing_and_gives_the_terminal_back_at_ctrl_c(terminal: Window) -> None:
+def test_demo_moves_without_lost_samples_and_ctrl_c_restores_the_terminal(terminal: Window) -> None:
     terminal.enter("unity-link demo --duration 600; echo code $?")
     first = shoulder(terminal.wait_until(lambda screen: shoulder(screen) > 1))
     screen = terminal.wait_until(lambda screen: shoulder(screen) > first + 1)
@@ -100,8 +100,8 @@ def is_the_whole_demo(width: int, screen: str) -> bool:
     )
 
 
-def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> None:
-    # Some shells export these, and they do not follow the window.
+def test_demo_fits_a_window_of_any_size(terminal: Window) -> None:
+    # Some shells export COLUMNS and LINES, which do not change with the size of the window.
     terminal.enter("COLUMNS=80 LINES=24 unity-link demo --duration 600; echo code $?")
     for width, height in [(100, 30), (60, 15), (40, 8), (220, 50), (70, 20)]:
         terminal.resize(width, height)
@@ -110,7 +110,7 @@ def test_the_demo_fits_the_window_whatever_becomes_of_it(terminal: Window) -> No
     terminal.wait_for("^code 130$")
 
 
-def test_q_ends_the_demo_and_what_was_typed_is_not_left_to_the_shell(terminal: Window) -> None:
+def test_q_ends_the_demo_and_typed_keys_do_not_reach_the_shell(terminal: Window) -> None:
     terminal.enter("unity-link demo --duration 600; echo code $?")
     terminal.wait_until(lambda screen: shoulder(screen) > 1)
     terminal.enter("nonsense")
@@ -158,7 +158,7 @@ def test_watch_shows_names_of_any_lengths_and_their_plots_whole(terminal: Window
     assert_restored(terminal, 0)
 
 
-def test_watch_counts_the_addresses_that_a_small_window_has_no_room_for(terminal: Window) -> None:
+def test_watch_counts_the_addresses_that_do_not_fit_a_small_window(terminal: Window) -> None:
     terminal.resize(60, 10)
     terminal.enter("unity-link watch sim: $(seq 16 25) --format bin; echo code $?")
     terminal.wait_for(r"^ 0x10 +0b0{32}\b", "and 6 more that this terminal has no room for", r"\b0 lost\b")
@@ -166,7 +166,7 @@ def test_watch_counts_the_addresses_that_a_small_window_has_no_room_for(terminal
     terminal.wait_for("^code 0$")
 
 
-def test_watch_shows_that_the_gateway_is_away_and_goes_on_when_it_is_back(terminal: Window, tmp_path: Path) -> None:
+def test_watch_shows_an_absent_gateway_and_continues_when_it_returns(terminal: Window, tmp_path: Path) -> None:
     with served(counting_gateway(), tmp_path):
         terminal.enter("unity-link watch unix:gateway 0x10; echo code $?")
         terminal.wait_until(lambda screen: value(screen) > 3)
@@ -180,7 +180,7 @@ def test_watch_shows_that_the_gateway_is_away_and_goes_on_when_it_is_back(termin
 
 
 @pytest.mark.slow
-def test_watch_goes_on_after_a_reset_of_the_gateway_behind_an_open_line(terminal: Window, tmp_path: Path) -> None:
+def test_watch_continues_after_a_gateway_reset_on_an_open_line(terminal: Window, tmp_path: Path) -> None:
     gateway = counting_gateway()
     with served(gateway, tmp_path) as portal:
         terminal.enter("unity-link watch unix:gateway 0x10; echo code $?")
@@ -192,7 +192,7 @@ def test_watch_goes_on_after_a_reset_of_the_gateway_behind_an_open_line(terminal
         terminal.wait_for("^code 0$")
 
 
-def test_watch_into_a_file_tells_that_the_gateway_is_away_and_back(terminal: Window, tmp_path: Path) -> None:
+def test_watch_into_a_file_reports_a_gateway_that_leaves_and_returns(terminal: Window, tmp_path: Path) -> None:
     with served(counting_gateway(), tmp_path):
         terminal.enter("unity-link watch unix:gateway 0x10 --count 1000 >samples; echo code $?")
         terminal.wait_until(lambda _: (tmp_path / "samples").exists() and len((tmp_path / "samples").read_text()) > 50)
@@ -203,7 +203,7 @@ def test_watch_into_a_file_tells_that_the_gateway_is_away_and_back(terminal: Win
         terminal.wait_for("^code 130$")
 
 
-def test_ctrl_z_leaves_the_terminal_to_the_shell_and_fg_brings_the_picture_back(terminal: Window) -> None:
+def test_ctrl_z_returns_the_terminal_to_the_shell_and_fg_shows_the_picture(terminal: Window) -> None:
     terminal.enter("unity-link watch sim: 0x10")
     terminal.wait_for("^ 0x10 +0 ")
     terminal.press("C-z")

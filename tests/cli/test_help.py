@@ -1,4 +1,4 @@
-"""The help of commands, and their messages for values that do not fit."""
+"""The help of commands, and their messages for wrong values."""
 
 from __future__ import annotations
 

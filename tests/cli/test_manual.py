@@ -1,4 +1,4 @@
-"""The manual page, and what programs read of the commands."""
+"""The manual page, and the output of commands for other programs."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SCARA = str(ROOT / "examples" / "scara.ul")
 
 
 def commands() -> dict[str, Any]:
-    """Return all commands, those of groups too, by what is typed."""
+    """Return all commands, also those in groups, by the words of the command line."""
     found: dict[str, Any] = {}
 
     def add(command: Any, name: str, above: Any) -> None:
@@ -49,13 +49,13 @@ def test_the_manual_page_has_every_command_and_option() -> None:
                 assert f".B {option}" in sections[f"{name} "] or f", {option}" in sections[f"{name} "], (name, option)
 
 
-def test_no_line_of_the_manual_page_is_taken_for_a_request_that_is_none() -> None:
+def test_no_text_of_the_manual_page_is_a_request_to_roff() -> None:
     requests = {line.split()[0] for line in manual.page().splitlines() if line.startswith((".", "'"))}
     assert requests == {".TH", ".SH", ".SS", ".TP", ".PP", ".B", ".I"}
 
 
 PROGRAMS_READ = {name for name in FAMILIES if name not in {"terminal", "retrace", "fmt", "ros1", "ros2", "zenoh"}}
-"""Commands whose results are data; the others are for people, print what they were given, or only run."""
+"""Commands whose results are data; the others are for people, print their input in another form, or only run."""
 
 
 def test_every_command_that_a_program_may_read_has_json() -> None:
@@ -65,13 +65,13 @@ def test_every_command_that_a_program_may_read_has_json() -> None:
             assert any("--json" in parameter.opts for parameter in command.params), name
 
 
-def test_files_that_were_written_are_told_as_json(tmp_path: Path) -> None:
+def test_written_files_are_listed_as_json(tmp_path: Path) -> None:
     command = [*PROGRAM, "generate", "docs", SCARA, "-o", str(tmp_path), "--json"]
     lines = subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines()
     assert sorted(json.loads(line)["file"] for line in lines) == sorted(map(str, tmp_path.iterdir()))
 
 
-def test_a_recording_is_told_as_json(tmp_path: Path) -> None:
+def test_recording_is_described_as_json(tmp_path: Path) -> None:
     output = tmp_path / "run.mcap"
     command = [*PROGRAM, "record", "sim:scara", SCARA, "-o", str(output), "--poll", "20", "--duration", "0.3", "--json"]
     result = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
@@ -80,7 +80,7 @@ def test_a_recording_is_told_as_json(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("command", [["simulate", "--tcp", "0"], ["serve", "sim:", "--tcp", "0"]], ids=lambda c: c[0])
-def test_the_url_of_what_is_served_is_told_as_json(command: list[str]) -> None:
+def test_url_of_a_served_gateway_is_printed_as_json(command: list[str]) -> None:
     with subprocess.Popen([*PROGRAM, *command, "--json"], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
         assert json.loads(process.stdout.readline())["url"].startswith("tcp://127.0.0.1:")

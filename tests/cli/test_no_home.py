@@ -1,4 +1,4 @@
-"""A user who has no home, as in a container, can use every command; what is kept for him is his alone."""
+"""A user without a home, as in a container, can use every command; the files kept for this user are private."""
 
 from __future__ import annotations
 
@@ -62,11 +62,11 @@ def test_each_command_works_without_a_home(command: str, tmp_path: Path) -> None
     )
     assert "Traceback" not in done.stderr
     assert done.returncode == 0 or command == "doctor", done.stderr
-    # No folder of this name is made where the user works.
+    # The command must not create a folder of the name `~` in the working folder.
     assert not (tmp_path / "~").exists()
 
 
-def test_what_is_kept_without_a_home_is_the_users_alone(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_files_kept_without_a_home_are_private(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     homeless(monkeypatch, tmp_path)
     folder = cache_folder("rtl")
     assert folder == tmp_path / f"unity-link-{os.getuid()}" / "rtl"

@@ -1,4 +1,4 @@
-"""Strings from outside are shown, and nothing that prints them obeys them."""
+"""Strings from outside are printed in a form that neither terminals nor `rich` interpret."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ OBEYED = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e]")
 
 
 class Terminal(io.StringIO):
-    """A stream that is a terminal."""
+    """A stream that claims to be a terminal."""
 
     def isatty(self) -> bool:
         return True
 
 
 @pytest.mark.parametrize("show", [print_line, print_note, print_error, print_parts, lambda text: print_error("", text)])
-def test_a_line_says_nothing_to_a_terminal(show: Callable[[str], None], capsys: pytest.CaptureFixture[str]) -> None:
+def test_printed_line_has_no_control_sequences(show: Callable[[str], None], capsys: pytest.CaptureFixture[str]) -> None:
     show(f"{HOSTILE}\n\tsecond")
     printed = "".join(capsys.readouterr())
     assert not OBEYED.search(printed)
@@ -43,14 +43,14 @@ def test_a_line_says_nothing_to_a_terminal(show: Callable[[str], None], capsys: 
 @pytest.mark.parametrize(
     "thing", [HOSTILE, Text(HOSTILE), Table(HOSTILE, title=HOSTILE)], ids=["text", "Text", "table"]
 )
-def test_what_rich_lays_out_says_nothing_to_a_terminal(thing: object) -> None:
+def test_output_of_rich_has_no_control_sequences_from_outside(thing: object) -> None:
     stream = io.StringIO()
     console_on(stream).print(thing)
     assert not OBEYED.search(stream.getvalue())
     assert "b" in stream.getvalue()
 
 
-def test_colours_stay_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_colours_are_kept_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", "xterm-256color")
     monkeypatch.delenv("NO_COLOR", raising=False)
     stream = Terminal()
@@ -64,7 +64,7 @@ def test_brackets_and_colons_in_strings_are_letters() -> None:
     assert stream.getvalue() == "[/red] [bold]x[/bold] :smile:\n"
 
 
-def test_json_is_the_same_data_without_what_a_terminal_obeys(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_has_the_same_data_without_control_sequences(capsys: pytest.CaptureFixture[str]) -> None:
     print_json({"name": HOSTILE})
     print_result("name", HOSTILE, json=True)
     printed = capsys.readouterr().out
@@ -72,15 +72,17 @@ def test_json_is_the_same_data_without_what_a_terminal_obeys(capsys: pytest.Capt
     assert not OBEYED.search(printed)
 
 
-def test_no_command_has_a_console_of_its_own() -> None:
+def test_no_command_makes_its_own_console() -> None:
     for path in Path(cli.__file__).parent.glob("*.py"):
         nodes = list(ast.walk(ast.parse(path.read_text())))
         own = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
         made = {node.func.id for node in nodes if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
-        assert "Console" not in made - own, f"{path.name}: console_on of output.py makes one that is not obeyed"
+        assert "Console" not in made - own, (
+            f"{path.name}: use console_on of output.py, which escapes control characters"
+        )
 
 
-def test_what_is_logged_on_stderr_is_shown_and_not_obeyed() -> None:
+def test_log_on_stderr_has_no_control_sequences() -> None:
     program = [
         "import logging, sys",
         "from unity_link import cli",

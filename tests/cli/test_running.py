@@ -1,4 +1,4 @@
-"""Signals sent to a command: the first has it end, more of them at once are one, a later one ends it by force."""
+"""Signals to a command: the first ends it, further signals at once count as one, a later signal kills it."""
 
 from __future__ import annotations
 

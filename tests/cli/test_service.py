@@ -1,4 +1,4 @@
-"""Notifications of a service manager by a command that runs for long."""
+"""Notifications to a service manager by a command that keeps running."""
 
 from __future__ import annotations
 
@@ -14,9 +14,7 @@ if TYPE_CHECKING:
     import pytest
 
 
-def test_a_status_that_a_busy_manager_did_not_take_is_told_again(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_status_that_a_busy_manager_missed_is_sent_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NOTIFY_SOCKET", str(tmp_path / "notify"))
     service = Service()
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
@@ -35,6 +33,6 @@ def test_a_status_that_a_busy_manager_did_not_take_is_told_again(
         assert manager.recv(4096) == b"STOPPING=1"
 
 
-def test_without_a_service_manager_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_notification_is_sent_without_a_service_manager(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NOTIFY_SOCKET", raising=False)
     assert not Service().tell("READY=1")

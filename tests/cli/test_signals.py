@@ -1,4 +1,4 @@
-"""Signals by their names on the command line, and how a shell completes what is typed."""
+"""Names of signals on the command line, and their completion by a shell."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Result(NamedTuple):
 
 
 def run(*arguments: str, **environment: str) -> Result:
-    """Run the command line in this process: what is tested here is its own, and not the system's."""
+    """Run a command in this process; the tests are about the command line, not about processes."""
     out, err = io.StringIO(), io.StringIO()
     with (
         mock.patch.dict(os.environ, environment),
@@ -106,7 +106,7 @@ def test_a_number_that_ends_as_its_unit_does_is_read_whole(given: str, tmp_path:
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",
 )
-def test_a_wrong_name_or_value_is_told_before_anything_is_written(
+def test_wrong_name_or_value_is_reported_before_any_write(
     arguments: list[str], words: str, rover: str, tmp_path: Path
 ) -> None:
     command, *rest = arguments
@@ -116,14 +116,14 @@ def test_a_wrong_name_or_value_is_told_before_anything_is_written(
     assert not snoop.exists()
 
 
-def test_a_group_in_the_place_of_a_signal_is_answered_by_its_signals(tmp_path: Path) -> None:
+def test_group_instead_of_a_signal_is_an_error_that_lists_its_signals(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(GROUPED)
     result = run("watch", "sim:", str(spec), "motion")
     assert result == (2, "", "error: 'motion' is a group of rover: name its signals, left, right\n")
 
 
-def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
+def test_name_without_a_spec_is_an_error_that_asks_for_a_spec() -> None:
     result = run("get", "sim:scara", "j1.cpos")
     assert result.returncode == 2
     assert "no SPEC says which signals there are, and the gateway of sim:scara carries no description" in result.stderr
@@ -146,7 +146,7 @@ def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
         (["read", "0x10", "sim:scara"], "it is a URL, which goes before the addresses"),
     ],
 )
-def test_a_url_and_a_spec_that_are_swapped_are_told(arguments: list[str], said: str) -> None:
+def test_swapped_url_and_spec_are_reported(arguments: list[str], said: str) -> None:
     result = run(*arguments)
     assert result.returncode != 0
     assert said in result.stderr
@@ -190,7 +190,7 @@ def test_signals_are_watched_by_name() -> None:
     assert json.loads(line)["values"] == {"j1.spd_sp": pytest.approx(74.9988)}
 
 
-def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_url_says_that_it_is_known(
+def test_spec_of_another_gateway_is_refused_before_writes_unless_map_is_any(
     rover: str,
 ) -> None:
     fingerprint = compile_text(SPEC).interface().fingerprint
@@ -206,7 +206,7 @@ def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_ur
     assert "map=some" in run("get", "sim:?map=some", rover).stderr
 
 
-def test_commands_say_in_a_sentence_what_differs_from_the_spec_of_the_board(rover: str, tmp_path: Path) -> None:
+def test_differences_from_the_spec_of_the_board_are_one_sentence(rover: str, tmp_path: Path) -> None:
     other = tmp_path / "board.ul"
     other.write_text(SPEC.replace("SCALE=0.5", "SCALE=0.25").replace("  @ticks", "  @more = 0x20: READ();\n  @ticks"))
     url = f"sim:{other}"
@@ -231,7 +231,7 @@ def test_commands_say_in_a_sentence_what_differs_from_the_spec_of_the_board(rove
     assert "the gateway has all of rover alike" in run("doctor", url, rover).stdout
 
 
-def test_what_a_read_clears_is_read_when_it_is_named_alone_and_with_others(tmp_path: Path) -> None:
+def test_signal_that_a_read_clears_is_read_only_if_it_is_named(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(TEXT)
     url = f"sim:{spec}"
@@ -245,7 +245,7 @@ def test_what_a_read_clears_is_read_when_it_is_named_alone_and_with_others(tmp_p
     assert "seen is cleared by each read" in result.stderr
 
 
-def test_what_was_written_is_shown_also_of_a_pulse(tmp_path: Path) -> None:
+def test_set_prints_the_written_values_also_of_pulses(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(TEXT)
     result = run("set", f"sim:{spec}", "alarm[0]=on", "shoot=true", "lost=3")
@@ -261,10 +261,10 @@ def test_the_command_line_is_a_module_too() -> None:
 
 
 def completed(line: str, shell: str = "zsh", **environment: str) -> list[str]:
-    """Return what a shell is offered behind a line."""
+    """Return the completions that a shell offers for a line."""
     words = {"_TYPER_COMPLETE_ARGS": line}
     if shell == "bash":
-        # As bash takes a line apart: each of its breaks is a word.
+        # Bash splits a line at each of its break characters, which become words.
         spaced = line.replace(":", " : ").replace("=", " = ").split(" ")
         parts = [part for part in spaced[:-1] if part] + spaced[-1:]
         words = {"COMP_WORDS": "\n".join(parts), "COMP_CWORD": str(len(parts) - 1)}
@@ -285,7 +285,7 @@ def test_the_commands_and_signals_are_completed() -> None:
     assert completed("unity-link get sim:scara examples/sc", "bash") == ["examples/scara.ul"]
 
 
-def test_urls_are_completed_by_what_was_used_with_success_and_hold_no_secret(tmp_path: Path) -> None:
+def test_urls_used_with_success_are_completed_without_tokens(tmp_path: Path) -> None:
     memory = {"UNITY_LINK_MEMORY": str(tmp_path / "state" / "urls")}
     assert run("read", "sim:walker", "0x10", **memory).returncode == 0
     assert run("read", "sim:?id_digits=2", "0x10", **memory).returncode == 0
@@ -308,7 +308,7 @@ def test_a_memory_that_cannot_be_written_is_no_error(tmp_path: Path, monkeypatch
 def test_a_user_without_a_home_uses_the_command_line_all_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     for variable in ("UNITY_LINK_MEMORY", "XDG_STATE_HOME"):
         monkeypatch.delenv(variable, raising=False)
-    # As the system answers for a user that it does not know.
+    # The system reports this error for a user that it does not know.
     monkeypatch.setattr(Path, "home", mock.Mock(side_effect=RuntimeError("Could not determine home directory.")))
     assert run("read", "sim:", "0").returncode == 0
 
@@ -336,7 +336,7 @@ def leased(tmp_path: Path) -> str:
     return str(path)
 
 
-def test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere(leased: str) -> None:
+def test_stop_disarms_all_leases_of_a_spec_given_in_any_way(leased: str) -> None:
     both = (0, "drive: was not armed\narm: was not armed\n", "")
     assert run("stop", f"sim:{leased}", leased) == both
     assert run("stop", leased, f"sim:{leased}") == both
@@ -346,7 +346,7 @@ def test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere(leased: str)
     assert printed["leases"] == {"drive": {"was_armed": False}, "arm": {"was_armed": False}}
 
 
-def test_stop_disarms_the_leases_of_a_board_whose_spec_is_another(leased: str, tmp_path: Path) -> None:
+def test_stop_disarms_the_leases_of_a_board_with_another_spec(leased: str, tmp_path: Path) -> None:
     board = tmp_path / "board.ul"
     board.write_text(LEASES.replace("0x10:", "0x11:").replace("arm: LEASE() @(0x200)", "arm: LEASE() @(0x300)"))
     result = run("stop", f"sim:{board}", leased)
@@ -362,7 +362,7 @@ def test_a_lease_that_cannot_be_disarmed_leaves_no_other_one_armed(leased: str) 
     assert result.stderr == "error: write of drive.disarm at 0x112: the bus refused the access\n"
 
 
-def test_stop_of_a_gateway_that_is_away_fails_and_says_so(leased: str, tmp_path: Path) -> None:
+def test_stop_of_an_absent_gateway_fails_with_an_error(leased: str, tmp_path: Path) -> None:
     result = run("stop", f"unix:{tmp_path / 'nowhere'}", leased)
     assert (result.returncode, result.stdout) == (1, "")
     assert result.stderr.startswith("error: ")

@@ -28,12 +28,12 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_check_says_that_a_spec_is_good(folder: Path) -> None:
+def test_check_reports_a_valid_spec(folder: Path) -> None:
     done = run(folder, "check", "scara.ul")
     assert (done.returncode, done.stdout, done.stderr) == (0, "scara.ul: no errors; scara with 16 signals\n", "")
 
 
-def test_check_tells_the_faults_on_stderr_and_fails(folder: Path) -> None:
+def test_check_prints_faults_on_stderr_and_fails(folder: Path) -> None:
     done = run(folder, "check", "wrong.ul")
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr == (
@@ -55,7 +55,7 @@ def test_check_takes_the_widths_of_a_gateway_and_stdin(folder: Path) -> None:
     assert run(folder, "check", "-", "--address-bits", "16", stdin=text).returncode == 0
 
 
-def test_a_file_that_is_not_there_is_told_without_a_traceback(folder: Path) -> None:
+def test_missing_file_is_reported_without_a_traceback(folder: Path) -> None:
     for command in (["check"], ["fmt"], ["show"], ["import", "rdl"], ["export", "rdl"]):
         done = run(folder, *command, "nothing.ul")
         assert done.returncode == 1, command
@@ -136,7 +136,7 @@ group state(TRIGGER);
 """
 
 
-def test_show_gives_the_entity_of_a_component_and_where_its_pins_are(folder: Path) -> None:
+def test_show_prints_the_entity_and_pins_of_a_component(folder: Path) -> None:
     (folder / "lamp.ul").write_text(CORES)
     lines = [line.rstrip() for line in run(folder, "show", "lamp.ul").stdout.splitlines()]
     assert lines[2:] == [
@@ -190,7 +190,7 @@ def test_show_gives_safe_values_with_their_lease_schedules_and_pins(folder: Path
     ]
 
 
-def test_show_tells_which_interfaces_there_are(folder: Path) -> None:
+def test_show_lists_the_interfaces(folder: Path) -> None:
     (folder / "two.ul").write_text("public a() { @x = 1: READ(); }\npublic b() { @y = 2: READ(); }")
     assert "0x02 y" in run(folder, "show", "two.ul").stdout
     assert "0x01 x" not in run(folder, "show", "--interface", "b", "two.ul").stdout
@@ -242,20 +242,20 @@ def test_macros_that_take_too_much_memory_end_in_a_sentence(folder: Path) -> Non
     )  # fmt: skip
 
 
-def test_a_place_that_cannot_be_written_is_told(folder: Path) -> None:
+def test_path_that_cannot_be_written_is_reported(folder: Path) -> None:
     done = run(folder, "export", "rdl", "scara.ul", "-o", "no/such/folder.rdl")
     assert done.returncode == 2
     assert "no/such/folder.rdl cannot be written: No such file or directory" in done.stderr
 
 
-def test_generate_writes_the_files_and_tells_them(folder: Path) -> None:
+def test_generate_writes_and_lists_the_files(folder: Path) -> None:
     done = run(folder, "generate", "docs", "scara.ul", "-o", "made")
     assert (done.returncode, done.stdout.split()) == (0, ["made/scara.html", "made/scara.md"])
     assert all((folder / name).exists() for name in done.stdout.split())
 
 
 @pytest.mark.parametrize("arguments", [[], ["rust"], ["rust", "scara.ul"]])
-def test_generate_tells_what_it_can_make(folder: Path, arguments: list[str]) -> None:
+def test_generate_lists_its_targets(folder: Path, arguments: list[str]) -> None:
     done = run(folder, "generate", *arguments)
     assert done.returncode == 2
     assert "Traceback" not in done.stderr

@@ -1,4 +1,4 @@
-"""`terminal` on a terminal, as who sits before it sees it."""
+"""`unity-link terminal` on a terminal, as a user sees it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PROMPT = "^> *$"
 
 
 class Noise(asyncio.Protocol):
-    """Peer that answers everything as a line of the wrong baud rate may: here, with what clears a terminal."""
+    """Peer that answers each line as a line with a wrong baud rate may: here with control sequences for a terminal."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         assert isinstance(transport, asyncio.Transport)
@@ -32,13 +32,13 @@ class Noise(asyncio.Protocol):
 
 
 class Echo(Noise):
-    """Peer that gives everything back, as wires do that are joined."""
+    """Peer that returns every byte, as joined wires do."""
 
     def data_received(self, data: bytes) -> None:
         self._transport.write(data)
 
 
-def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: Window) -> None:
+def test_typed_requests_are_sent_and_answers_explained_until_ctrl_d(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT, "^sim:: words of 32 bits", "Ctrl-D ends")
     terminal.enter("W0A0000002A")
@@ -56,7 +56,7 @@ def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: 
     terminal.wait_for(r"^\$ echo typed", "^typed 42$")
 
 
-def test_samples_that_come_by_themselves_leave_alone_what_is_being_typed(terminal: Window) -> None:
+def test_arriving_samples_do_not_disturb_the_line_being_typed(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT)
     terminal.enter("GS00010BB8010A")
@@ -70,7 +70,7 @@ def test_samples_that_come_by_themselves_leave_alone_what_is_being_typed(termina
     assert terminal.state == GIVEN_BACK
 
 
-def test_lines_of_earlier_times_are_there_again(terminal: Window) -> None:
+def test_history_has_the_lines_of_earlier_sessions(terminal: Window) -> None:
     for keys in (["R", "0", "A", "Enter"], ["Up", "Enter"]):
         terminal.clear()
         terminal.enter("unity-link terminal sim:; echo code $?")
@@ -90,7 +90,7 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.wait_for("^X03 +error 03: malformed", PROMPT)
     terminal.enter("!R0A00")
     terminal.wait_for("^X01 +error 01: the CRC was wrong$", PROMPT)
-    # The gateway says once what it expects, and then waits for that.
+    # The gateway has sent its one error, and waits for a new session.
     terminal.enter("K0000001")
     terminal.wait_for(
         "^K0000001[0-9A-F]{4} +session 0001 has begun, the next ID expected is 000; session [0-9A-F]{4} ended$", PROMPT
@@ -101,9 +101,7 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.wait_for("^no answer to r0020A within 1 s$", PROMPT)
 
 
-def test_who_types_an_id_to_a_gateway_that_was_reset_is_told_to_begin_a_session(
-    terminal: Window, tmp_path: Path
-) -> None:
+def test_request_with_an_id_after_a_reset_is_answered_with_how_to_begin(terminal: Window, tmp_path: Path) -> None:
     gateway = VirtualGateway(GatewayInfo())
     with (
         start_blocking_portal() as portal,
@@ -133,13 +131,13 @@ def test_a_session_of_the_terminal_takes_requests_with_and_without_ids(terminal:
     terminal.wait_for("^r0010000002A +read of 0x0A", PROMPT)
 
 
-def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:
+def test_window_of_any_size_accepts_typed_lines(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT)
     for width, height, word in [(30, 6, "00000001"), (200, 40, "00000002"), (70, 20, "00000003")]:
         terminal.resize(width, height)
         terminal.enter(f"W0A{word}")
-        # What is printed at the very moment of a resize may be drawn over.
+        # Repeat the read: text printed at the moment of a resize may be overwritten.
         terminal.enter_until("R0A", f"^R0A{word} ")
 
 
@@ -157,7 +155,7 @@ def test_a_gateway_that_goes_away_ends_the_terminal_in_one_sentence(terminal: Wi
     assert terminal.state == GIVEN_BACK
 
 
-def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_path: Path) -> None:
+def test_noise_is_shown_without_control_sequences(terminal: Window, tmp_path: Path) -> None:
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(listen_unix(Noise, tmp_path / "gateway")),
@@ -170,7 +168,7 @@ def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_pat
         terminal.wait_for("^code 0$")
 
 
-def test_an_echo_alone_is_no_gateway_and_ends_nothing(terminal: Window, tmp_path: Path) -> None:
+def test_echo_is_no_gateway_and_does_not_end_the_terminal(terminal: Window, tmp_path: Path) -> None:
     with (
         start_blocking_portal() as portal,
         portal.wrap_async_context_manager(listen_unix(Echo, tmp_path / "gateway")),

@@ -1,4 +1,4 @@
-"""`unity-link watch` while a gateway is away of which a server keeps the connection, on simulated time."""
+"""`unity-link watch` while a server keeps the connection although its gateway is away, on simulated time."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ SILENCE_OF_A_SERVER = "starting a group: nothing on the bus answered (told once)
 
 
 class Served:
-    """A link to a server whose gateway goes and comes back."""
+    """A link to a server whose gateway leaves and returns."""
 
     def __init__(self, link: Link, shared: SharedLink, gateway: Valve) -> None:
         self.link = link
@@ -48,7 +48,7 @@ class Served:
 
 @asynccontextmanager
 async def served(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[Served]:
-    """Share a gateway, of which `watch` is given an open link, and have `watch` go by simulated time."""
+    """Share a gateway, give `watch` a link to it, and let `watch` use simulated time."""
     clock = SimpleNamespace(monotonic=asyncio.get_running_loop().time)
     monkeypatch.setattr(watch, "time", clock)
     monkeypatch.setattr(watch_view, "time", clock)
@@ -63,7 +63,7 @@ async def watch_lines(*, count: int | None = None, duration: float | None = None
 
 
 @on_simulated_time
-async def test_watch_waits_for_a_shared_gateway_that_goes_away_just_before_it_begins(
+async def test_watch_waits_for_a_shared_gateway_that_leaves_just_before_the_start(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     async with served(monkeypatch) as gateway:
@@ -90,7 +90,7 @@ async def test_watch_of_a_gateway_that_does_not_come_back_ends_with_its_duration
 
 
 @on_simulated_time
-async def test_watch_into_a_file_tells_that_a_gateway_behind_a_server_is_away_and_back(
+async def test_watch_into_a_file_reports_a_served_gateway_that_leaves_and_returns(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     async with served(monkeypatch) as gateway:
@@ -106,7 +106,7 @@ async def test_watch_into_a_file_tells_that_a_gateway_behind_a_server_is_away_an
 
 
 @on_simulated_time
-async def test_the_picture_of_watch_says_that_a_gateway_behind_a_server_is_away(
+async def test_watch_picture_reports_an_absent_gateway_behind_a_server(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     async with served(monkeypatch) as gateway:
@@ -115,7 +115,7 @@ async def test_the_picture_of_watch_says_that_a_gateway_behind_a_server_is_away(
             view, console = watch_view.WatchView("shared", gateway.link, samples, watched), Console(width=100)
 
             async def says_away(seconds: float) -> bool:
-                """Draw for some time; return whether the last picture says it."""
+                """Draw for some seconds; return True if the last picture reports that the gateway is away."""
                 text = ""
                 for _ in range(round(seconds * watch.FRAMES_PER_SECOND)):
                     await asyncio.sleep(1 / watch.FRAMES_PER_SECOND)
@@ -160,7 +160,7 @@ NAN, HUGE = math.nan, 1.7e308
         ([-HUGE, HUGE, 0.0], -HUGE, HUGE),
     ],
 )
-def test_whatever_a_float_is_the_picture_of_watch_has_its_extremes_and_a_curve_of_the_finite_ones(
+def test_watch_picture_shows_the_extremes_and_a_curve_of_the_finite_values(
     numbers: list[float], lowest: float, highest: float
 ) -> None:
     trace = watch_view.Trace()

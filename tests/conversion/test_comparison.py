@@ -1,4 +1,4 @@
-"""The Verilog of a user's entity is compared with GHDL's simulation; an entity that cannot be compared is named."""
+"""The Verilog of a user's entity is compared with GHDL's simulation; entities that cannot be compared are reported."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ pytestmark = pytest.mark.rtl
 
 @pytest.fixture(autouse=True)
 def no_cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """Keep what is compared in a folder of the test's."""
+    """Use a folder of the test as the cache of comparisons."""
     (tmp_path / "kept").mkdir()
     monkeypatch.setattr(own_circuits, "cache_folder", lambda _: tmp_path / "kept")
 
@@ -105,7 +105,7 @@ DIFFERENT = {
 
 
 @pytest.mark.parametrize("body", DIFFERENT)
-def test_a_wrong_conversion_that_nobody_knows_is_found(body: str) -> None:
+def test_unknown_wrong_conversion_is_detected_by_simulation(body: str) -> None:
     with pytest.raises(ConversionError) as raised:
         converted(vhdl(body))
     assert re.fullmatch(
@@ -165,7 +165,7 @@ def test_a_difference_within_an_entity_is_found_at_the_entity_itself() -> None:
         converted(text)
 
 
-def test_what_was_compared_is_kept_until_it_changes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_result_of_a_comparison_is_cached_until_a_change(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     text = vhdl("q <= a;")
     assert converted(text).compared == ("mine, 4000 cycles",)
     assert len(list((tmp_path / "kept").iterdir())) == 1
@@ -210,7 +210,7 @@ def test_a_top_is_compared_while_its_registers_are_written_and_read(tmp_path: Pa
     wrong = "(7 downto 0 => '1') when to_hardware.level(3 downto 0) > 16 else x\"00\""
     with pytest.raises(ConversionError, match=r"^lamp_top\.vhd: GHDL makes another circuit of .* its output led is"):
         build(tmp_path, wrong, "to_hardware.level")
-    # What the registers take is seen in what the gateway reads.
+    # The inputs of the registers appear in the words that the gateway reads.
     with pytest.raises(
         ConversionError, match=r"^lamp_top\.vhd: GHDL makes another circuit of .* its output uart_txd is"
     ):

@@ -1,4 +1,4 @@
-"""VHDL becomes Verilog that is the same circuit, or is refused with its place."""
+"""VHDL is converted to Verilog of the same circuit, or refused with its place in the source."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_an_error_of_ghdl_shows_the_line_that_matters(tmp_path: Path) -> None:
 @given(
     st.lists(st.sampled_from(["edge", "Edge", '"edge"', "-- edge\n", "\\edge\\", "edge_1", "an_edge", "edg0", "'\"'"]))
 )
-def test_a_renamed_text_comes_back_with_its_names(parts: list[str]) -> None:
+def test_renamed_text_gets_its_names_back(parts: list[str]) -> None:
     text = "port (edge : out bit);" + " ".join(parts)
     renaming = Renaming([text])
     given = renaming.vhdl(text)

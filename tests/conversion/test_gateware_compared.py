@@ -1,4 +1,4 @@
-"""The Verilog of each entity of the gateware is the circuit that GHDL simulates, and a changed circuit is noticed."""
+"""The Verilog of each entity of the gateware is the circuit that GHDL simulates; a changed circuit is detected."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ ENTITIES = [
     path.stem for path in vhdl_sources() if re.search(rf"^entity {path.stem} is$", path.read_text(), re.MULTILINE)
 ]
 UNCOMPARED = {
-    # Random datagrams have no checksum of Ethernet, so none is received.
+    # Random datagrams lack the right checksum of Ethernet, so that none is received.
     "ul_ethernet": "its output rx_data is never '0' or '1'",
     "ul_datagram_reader": "its port job has the type job_t",
     "ul_datagram_writer": "its port job has the type job_t",
@@ -34,7 +34,7 @@ CHANGES = {
 
 
 def compared(name: str, folder: Path, change: tuple[str, str] | None = None) -> Comparison:
-    """Return the comparison of an entity with its Verilog, of which one line is another one."""
+    """Return the comparison of an entity with its Verilog, after a change of one line of the Verilog."""
     (folder / "design").mkdir()
     design = GhdlDesign(folder / "design", vhdl_sources())
     design.make(name, LIBRARY)

@@ -1,7 +1,7 @@
-"""No random expression in a user's entity is converted to another circuit without a refusal.
+"""A random expression in a user's entity is either converted to the same circuit, or refused.
 
-An entity with many expressions is converted, and checked as `build` does; what passes is judged by Icarus Verilog on
-inputs of its own.
+An entity with many expressions is converted and checked as by `build`. Icarus Verilog then simulates the expressions
+that passed, with other inputs.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from unity_link.gateware.entity import SyntaxTree
 from unity_link.gateware.refused import INTEGER_MINUS_SIGNED, refusals
 
 EXPRESSIONS = 40
-"""Expressions of an entity."""
+"""Expressions in an entity."""
 VECTORS = 300
-"""Inputs that Icarus Verilog gets."""
+"""Inputs for the simulation by Icarus Verilog."""
 pytestmark = [
     pytest.mark.rtl,
     pytest.mark.skipif(shutil.which("iverilog") is None, reason="no Icarus Verilog: apt install iverilog"),
@@ -39,11 +39,11 @@ class Judged(NamedTuple):
 
     counts: Counter[str]
     wrong: list[str]
-    """Expressions that passed and are wrong, each with an example."""
+    """Wrong expressions that passed the checks, each with an example."""
 
 
 def converted(found: Entity, folder: Path, counts: Counter[str]) -> tuple[Entity, GhdlDesign, str]:
-    """Return an entity without the expressions that GHDL or `refusals` refuses, with its sources and its Verilog."""
+    """Return an entity without the expressions that GHDL or `refusals` refuse, with its sources and its Verilog."""
     while True:
         text = found.text()
         design = GhdlDesign(Path(tempfile.mkdtemp(dir=folder)), own=[OwnFile(Path("mine.vhd"), text.encode())])
@@ -52,7 +52,7 @@ def converted(found: Entity, folder: Path, counts: Counter[str]) -> tuple[Entity
             verilog = design.verilog(found.name, {})
         except ConversionError as error:
             lines = {int(line) for line in re.findall(r"mine\.vhd:(\d+)", str(error))}
-            # Of an internal error GHDL names no place.
+            # GHDL reports no line for an internal error: try each expression by itself.
             refused = _at(lines, text) or {one.name for one in found.outputs if is_refused(found, one, folder)}
             counts["refused by GHDL"] += len(refused)
         else:
@@ -67,12 +67,12 @@ def converted(found: Entity, folder: Path, counts: Counter[str]) -> tuple[Entity
 
 
 def _at(lines: set[int], text: str) -> set[str]:
-    """Return the outputs that are assigned on some lines."""
+    """Return the outputs that are assigned on the given lines."""
     return {text.splitlines()[line - 1].split()[0] for line in lines}
 
 
 def is_refused(found: Entity, one: Expression, folder: Path) -> bool:
-    """Return whether GHDL refuses an entity with one of its expressions alone."""
+    """Return True if GHDL refuses an entity that has only this expression."""
     text = found._replace(outputs=[one]).text()
     design = GhdlDesign(Path(tempfile.mkdtemp(dir=folder)), own=[OwnFile(Path("mine.vhd"), text.encode())])
     try:
@@ -84,7 +84,7 @@ def is_refused(found: Entity, one: Expression, folder: Path) -> bool:
 
 
 def judge(seed: int, folder: Path) -> Judged:
-    """Convert and check an entity of random expressions, and compare those that pass by Icarus Verilog."""
+    """Convert and check an entity of random expressions; compare those that pass with Icarus Verilog."""
     counts: Counter[str] = Counter()
     found, design, verilog = converted(entity("mine", seed, EXPRESSIONS), folder, counts)
     types = {
@@ -108,7 +108,7 @@ def judge(seed: int, folder: Path) -> Judged:
 def outputs(
     found: Entity, design: GhdlDesign, verilog: str, chance: random.Random, folder: Path
 ) -> tuple[dict[str, list[str]], dict[str, list[str]]]:
-    """Return the bits of all outputs for random inputs, as GHDL simulates the VHDL and Icarus Verilog the Verilog."""
+    """Return the bits of all outputs for random inputs: of the VHDL by GHDL, and of the Verilog by Icarus Verilog."""
     inputs = {f"i_{name}": width for name, (_, width) in found.inputs.items()}
     rows = [{name: word(width, chance) for name, width in inputs.items()} for _ in range(VECTORS)]
     names = [*inputs, *(one.name for one in found.outputs)]
@@ -146,7 +146,7 @@ def outputs(
 
 
 def word(width: int, chance: random.Random) -> str:
-    """Return a random number: any, or one at a limit."""
+    """Return a random number of a width, often one at a limit."""
     some = [
         chance.getrandbits(width),
         chance.getrandbits(width),
@@ -166,7 +166,7 @@ def _columns(text: str, found: Entity) -> dict[str, list[str]]:
 
 
 def run(seeds: range, folder: Path) -> None:
-    """Judge entities, print their outcomes, and fail if an expression passed and is wrong."""
+    """Judge entities, print the number of each outcome, and fail if a wrong expression passed."""
     counts: Counter[str] = Counter()
     wrong: list[str] = []
     for seed in seeds:

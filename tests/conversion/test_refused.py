@@ -1,4 +1,4 @@
-"""What GHDL converts to another circuit is refused with its place, and what looks similar is not."""
+"""Expressions that GHDL converts to another circuit are refused with their places; similar ones are accepted."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ RIGHT = [
 
 
 def refused(expressions: Collection[str], folder: Path) -> dict[str, list[tuple[str, Refusal]]]:
-    """Return the refusals of each expression, each with the text from its place on."""
+    """Return the refusals of each expression, each with the source text from its place on."""
     ports = "; ".join(f"q{number} : out signed(7 downto 0)" for number, _ in enumerate(expressions))
     lines = [f"  q{number} <= {expression};" for number, expression in enumerate(expressions)]
     text = (

@@ -1,4 +1,4 @@
-"""Specs of which the names are in the way of C and C++: taken by the languages, by libraries, or by generated code."""
+"""Specs with names that mean something in C and C++: to the languages, to libraries, or in generated code."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ENDINGS = ("H", "HPP", "decode", "get", "name", "next", "post", "read", "set", "
 MADE = [*BEGINNINGS, *ENDINGS, *(f"{beginning}_{ending}" for beginning in BEGINNINGS for ending in ENDINGS)]
 OTHERS = ["INT_MAX", "M_PI", "SIGNAL", "UL_WINDOW", "legs_2", "link_", "of", "uint64_t", "unity_link_posix"]
 LONG = [f"{'long_' * 59}{number:05}" for number in range(8)]
-"""Names of 300 characters that differ in the last."""
+"""Names of 300 characters that differ only at the end."""
 NO_NAMES = {"enum", "group", "import", "public", "i", "pi", "true", "false", *(kind.value for kind in KindName)}
 IN_C = (*WORDS, *GLOBALS, *INTERFACES)
 
@@ -57,18 +57,18 @@ public robot() { @a = 1: READ(); }
 
 
 def names(words: Iterable[str]) -> st.SearchStrategy[str]:
-    """Return a strategy for names: words of a language, those that generated code has, and long ones much alike."""
+    """Return a strategy for names: words of a language, words of generated code, and long names that differ little."""
     pools = (words, [*MADE, *OTHERS], LONG)
     return st.one_of(*(st.sampled_from(sorted(set(pool) - NO_NAMES)) for pool in pools))
 
 
 @st.composite
 def awkward_specs(draw: st.DrawFn, words: Iterable[str] = IN_C) -> str:
-    """Draw a spec that has each kind of declaration twice, each by a name of its own."""
+    """Draw a spec that has each kind of declaration twice, each with its own name."""
     drawn = draw(st.lists(names(words), min_size=38, max_size=38, unique_by=str.lower))
-    # A value of an enumeration is a member in Python, too, where names with an underscore at first are not.
+    # A value of an enumeration is a member of a class in Python, which cannot begin with an underscore.
     values = [name for name in drawn if not name.startswith("_")][:6]
-    # Files are called by this one, and no file has a name of 300 characters.
+    # The name of the interface becomes the name of files, which cannot have 300 characters.
     interface = next(name for name in drawn if name not in {*values, *LONG})
     given = iter([name for name in drawn if name not in {*values, interface}])
     modes, parts, groups = ([next(given), next(given)] for _ in range(3))

@@ -1,7 +1,7 @@
-"""Inside the simulator: whole generated boards by their pins, a UART, and a wire from the end of the chain to its top.
+"""Inside the simulator: generated boards by their pins, a UART, and a wire from the end of the chain to its start.
 
-The frames are made by `unity_link.protocol`, the signals by the same spec, and nothing here knows the VHDL. There is
-one test for each board, as a board begins with a reset at power-up, which no pin repeats.
+`unity_link.protocol` makes the frames, and the same spec the signals; the bench is independent of the VHDL. Each board
+has one test, because a board begins with a reset at power-up, which no pin repeats.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ public echo() {
 }
 """
 )
-"""Signals that are written and read with the same widths in the same order, so that the wire brings all back."""
+"""Pairs of a written and a read signal have the same widths in the same order, so that the wire returns all values."""
 
 
 class ByUart:
-    """A design by the two pins of its UART."""
+    """A design, used through the two pins of its UART."""
 
     def __init__(self, dut: Any, interface: Interface) -> None:
         self.dut = dut
@@ -64,7 +64,7 @@ class ByUart:
             self.received.append(byte)
 
     async def frames(self, count: int = 1) -> list[str]:
-        """Return the bodies of so many frames, once they have come; their checks must be right."""
+        """Wait for `count` frames; check their CRCs and return their bodies."""
         for _ in range(1000):
             if self.received.count(b"\n") == count:
                 break
@@ -75,7 +75,7 @@ class ByUart:
         return [FRAMING.open(frame).decode() for frame in frames]
 
     async def ask(self, body: str, count: int = 1) -> list[str]:
-        """Send a checked frame, and return the bodies of the frames that come."""
+        """Send a checked frame; return the bodies of `count` frames that answer it."""
         for byte in FRAMING.checked(body.encode()):
             for bit in (0, *(byte >> index & 1 for index in range(8)), 1):
                 self.dut.uart_rxd.value = bit
@@ -95,7 +95,7 @@ class ByUart:
 
 
 class Board(ByUart):
-    """The board's pins; the chain has so many bits."""
+    """The pins of a board with `bits` bits in its chain."""
 
     def __init__(self, dut: Any, interface: Interface, bits: int) -> None:
         super().__init__(dut, interface)
@@ -106,13 +106,13 @@ class Board(ByUart):
         await super().begin()
 
     async def _wire(self) -> None:
-        """Join the end of the chain to its beginning, as a wire does."""
+        """Connect the end of the chain to its start, as a wire would."""
         while True:
             self.dut.chain_in.value = self.dut.chain_out.value
             await self.dut.chain_out.value_change
 
     async def ask_counting(self, body: str, count: int) -> tuple[list[str], int]:
-        """Do what `ask` does; also return for how many cycles the gateway has had its bus."""
+        """Do the same as `ask`; also return the number of cycles in which the gateway used its bus."""
         cycles = 0
 
         async def watch() -> None:
@@ -127,7 +127,7 @@ class Board(ByUart):
         return answers, cycles
 
     async def round_the_chain(self) -> None:
-        """Wait until what was written has come back."""
+        """Wait until written values have passed the chain and the wire."""
         await ClockCycles(self.dut.clk, 2 * self.chain_frame_cycles)
 
 
@@ -137,7 +137,7 @@ async def the_walker_is_what_its_spec_says(dut: Any) -> None:
     board = Board(dut, walker, 18 * 2 * 32)
     await board.begin()
 
-    # The gateway says which map it was built for, and refuses what is not on it.
+    # The gateway reports the map that it was built for, and refuses addresses outside of the map.
     (configuration,) = await board.ask("Q")
     info = GatewayInfo.from_hex(configuration[1:].encode())
     assert Feature.FINGERPRINT in info.features
@@ -145,7 +145,7 @@ async def the_walker_is_what_its_spec_says(dut: Any) -> None:
     assert await board.ask("R00") == ["X04"]
     assert await board.ask("W1000000001") == ["X04"]
 
-    # What is written comes back round the chain.
+    # Written values return through the chain.
     wanted = {"legs[0].coxa": 1.25, "legs[3].femur": -0.5, "legs[5].tibia": 2.0}
     for joint, angle in wanted.items():
         await board.set(f"{joint}.pos_sp", angle)
@@ -163,7 +163,7 @@ async def the_walker_is_what_its_spec_says(dut: Any) -> None:
     settings = f"{group.number:02X}01{group.divisor:04X}{len(group.addresses):02X}{addresses}"
     assert await board.ask(f"GS{settings}") == [f"GS{group.number:02X}"]
     answers, cycles = await board.ask_counting(f"GP{group.number:02X}", 2)
-    # A word a cycle, and one for the last answer.
+    # One cycle for each word, and one for the last answer.
     assert cycles == len(group.addresses) + 1
     answers.remove(f"GP{group.number:02X}")
     (sample,) = answers
@@ -185,7 +185,7 @@ async def blocks_and_masked_writes_reach_values_of_several_words_and_fields(dut:
     assert await board.ask_counting("RM1202", 1) == (["RM1202" + "89ABCDEF" + "00001234"], 3)
     assert await board.get("low_came") == 5
     assert await board.get("high_came") == -14
-    # A single word of several changes nothing until the last one comes.
+    # Of a value of several words, only the write to the last word takes effect.
     assert await board.ask("W1011111111") == ["W10"]
     await board.round_the_chain()
     assert await board.ask("RM1202") == ["RM1202" + "89ABCDEF" + "00001234"]

@@ -1,7 +1,8 @@
 """Inside the simulator: four generated gateways on one pair of wires, and the host's sessions, which take turns.
 
-The pair is one signal. Who drives it is watched in every cycle in which that changes: the host, and each gateway by its
-`uart_de`. Frames and turns are those of the product; nothing here knows the VHDL.
+The pair is one signal. Its drivers are checked in every cycle in which one of them changes: the host, and each gateway
+by
+its `uart_de`. Frames and turns are those of the product; the bench is independent of the VHDL.
 """
 
 from __future__ import annotations
@@ -51,7 +52,7 @@ architecture test of pair is
   signal txd : std_logic_vector(0 to 3);
   signal enabled : std_logic_vector(0 to 3);
 begin
-  -- The bias: who does not drive leaves it at 1.
+  -- The bias keeps the wire at 1 while no station drives it.
   wire <= (host or not host_drives) and (txd(0) or not enabled(0)) and (txd(1) or not enabled(1))
           and (txd(2) or not enabled(2)) and (txd(3) or not enabled(3));
   pair <= wire;
@@ -76,7 +77,7 @@ def clock() -> float:
 
 
 class HostLink:
-    """A session with its seat, which sends in its turn."""
+    """A session and its slot on the pair, which sends in its turn."""
 
     def __init__(self, node: int, seat: Seat) -> None:
         self.session = Session(node, lambda: random.Random(node).getrandbits(16))
@@ -85,7 +86,7 @@ class HostLink:
         self.events: list[Any] = []
 
     def step(self) -> bytes:
-        """Return what is to be sent now."""
+        """Return the bytes to send now."""
         session, seat = self.session, self.seat
         if session.deadline is not None and session.deadline <= clock():
             self.events += session.expire(clock())
@@ -144,7 +145,7 @@ class Pair:
             cocotb.start_soon(self._hand_on(byte))
 
     async def _hand_on(self, byte: int) -> None:
-        """Deliver a byte behind its stop bit, as an adapter and a program do."""
+        """Deliver a byte after its stop bit, with the delay of an adapter and a program."""
         await Timer(2 * BIT_NS, "ns")
         self.received.append(byte)
 
@@ -157,7 +158,7 @@ class Pair:
         self.dut.host_drives.value = 0
 
     async def until(self, done: Any) -> None:
-        """Take turns of the links until something is so."""
+        """Let the links take turns until a condition is true."""
         patience = clock() + 0.02
         while clock() < patience:
             for link in self.links:
@@ -173,7 +174,7 @@ class Pair:
                     if link.seat.has_turn:
                         link.events += link.session.receive(data, clock())
                         break
-        raise AssertionError("nothing comes any more")
+        raise AssertionError("the condition did not become true")
 
 
 @cocotb.test
@@ -191,7 +192,7 @@ async def four_nodes_take_turns_on_one_pair_of_wires(dut: Any) -> None:
     assert [request.error for request in (*asked, *reads)] == [None] * 12
     assert [list(request.answer) for request in reads] == [[place, 7] for place in range(4)]
 
-    # A group that each is asked for, and one node that is reset: the others do not notice.
+    # Each node runs a group, and one node is reset: the others do not notice.
     for link in links:
         codec = link.session.codec
         settings = codec.fields("GS", 0, 0, 1, 1, [0x10])[2:]

@@ -17,11 +17,11 @@ PAGE = Path(__file__).parents[2] / "docs" / "safety.md"
 LISTINGS = files_of(PAGE)
 MOTOR = compile_text(LISTINGS["motor.ul"])
 PATIENCE = 20 * 10 * BIT_CYCLES
-"""Longer than a write of 14 characters and its answer take."""
+"""Clock cycles until the watchdog acts: more than a write of 14 characters and its answer take."""
 
 
 def level(dut: Any) -> tuple[int, int]:
-    """Return what the motor gets: enable and duty."""
+    """Return the inputs of the motor: enable and duty."""
     return int(dut.enable.value), int(dut.duty.value.to_signed())
 
 
@@ -34,13 +34,13 @@ async def a_motor_outlives_its_last_write_by_its_patience_and_no_more(dut: Any) 
     await ClockCycles(dut.clk, 2 * PATIENCE)
     assert level(dut) == (0, 0)
 
-    # Who goes on writing, the same value too, goes on moving.
+    # Further writes, also of the same value, keep the motor moving.
     for _ in range(5):
         await motor.set("duty", 0.5)
         assert level(dut) == (1, 1024)
         assert await motor.get("alive") is True
 
-    # Reading keeps nothing alive. The last write has been when its answer came, and some reads ago.
+    # Reads do not: the motor stops as soon as the time since the last write has passed.
     await ClockCycles(dut.clk, PATIENCE)
     assert level(dut) == (0, 0)
     assert await motor.get("duty") == 1024 / 2047
@@ -49,7 +49,7 @@ async def a_motor_outlives_its_last_write_by_its_patience_and_no_more(dut: Any) 
 
     await motor.set("duty", -1)
     assert level(dut) == (1, -2047)
-    # To the cycle: from the one in which the value stood there first.
+    # Exact to the cycle, counted from the first cycle of the value at the pins.
     await ClockCycles(dut.clk, PATIENCE)
     written = cocotb.start_soon(motor.set("duty", 1))
     await RisingEdge(dut.enable)
@@ -65,7 +65,7 @@ async def a_reset_stops_the_motor_at_once(dut: Any) -> None:
     dut.rst.value = 1
     await motor.begin()
     dut.rst.value = 0
-    # A UART wants to see the line at rest first.
+    # A UART must first see an idle line.
     await ClockCycles(dut.clk, PATIENCE)
     await motor.set("duty", 1)
     assert level(dut) == (1, 2047)

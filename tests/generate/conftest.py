@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @pytest.fixture(scope="session")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Compile the part that is the same for every spec, with sanitizers in it."""
+    """Compile the files that are the same for every spec, with sanitizers."""
     directory = tmp_path_factory.mktemp("runtime")
     generated("c", compile_text(FIGURE_1), directory)
     return compiled(C, [directory / "unity_link.c", directory / "unity_link_posix.c"], directory, *SANITIZED)
@@ -26,7 +26,7 @@ def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 @pytest.fixture(scope="session")
 def driver(runtime: list[Path]) -> Path:
-    """The client as a program that takes commands."""
+    """Return the client, built as a program that reads commands."""
     directory = runtime[0].parent
     objects = compiled(C, [HERE / "driver.c"], directory, *SANITIZED)
     return linked(C, [*runtime, *objects], directory / "driver", *SANITIZED)
@@ -51,13 +51,13 @@ def mex_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def octave(tmp_path: Path, mex_file: Path) -> Octave:
-    """Return an Octave in an empty folder, for packages that are built."""
+    """Return an Octave in an empty folder, with a built MEX file for generated packages."""
     return Octave(tmp_path, mex_file)
 
 
 @pytest.fixture
 def bare_octave(tmp_path: Path) -> Octave:
-    """Return an Octave in an empty folder, for packages that are not built."""
+    """Return an Octave in an empty folder, in which generated packages are not built yet."""
     if why_not():
         pytest.skip(why_not())
     return Octave(tmp_path)

@@ -1,5 +1,6 @@
-/* A client to be driven by a test: takes one command a line, does it, and prints the status and what came of it, or the
- * sentence of the error. Numbers are hexadecimal, but for seconds, rates and what is printed. */
+/* A client that a test controls: it reads one command on each line, executes it, and prints the status and the results,
+ * or the sentence of the error. Numbers in commands are hexadecimal, except seconds and rates; printed words are
+ * decimal. */
 #define _POSIX_C_SOURCE 200809L
 #include "unity_link.h"
 
@@ -55,15 +56,15 @@ static void finish(ul_status status, const uint64_t *some, size_t count)
     fflush(stdout);
 }
 
-/* A medium of which the test has the clock and the other end. To wait is to print `~`, how long at most, and what was
- * sent; the test answers with the time that it is then, and what has arrived. */
+/* A medium whose clock and other end belong to the test. To wait, it prints `~`, the most seconds to wait, and the sent
+ * bytes; the test answers with the time at the end of the wait, and the bytes that have arrived. */
 
 static char sent[1 << 16], arrived[1 << 16];
 static size_t sent_size, arrived_size;
 static double the_time;
 static bool is_open;
 
-/* Nobody uses a medium that is closed. */
+/* The client must not use a closed medium. */
 static void use(void *context)
 {
     (void)context;
@@ -201,7 +202,7 @@ static void await_samples(void)
     finish(ul_await(&the_link, one, count, strtod(next_text(), NULL)), NULL, 0);
 }
 
-/* A fence, and what became of the posted writes before it. */
+/* A fence, and the results of the posted writes before it. */
 static void print_posts(void)
 {
     ul_batch fence = UL_BATCH;
@@ -262,7 +263,7 @@ static void do_word(const char *command)
     else finish(ul_write_masked(&the_link, address, word, mask, &word), &word, 1);
 }
 
-/* A read, a write and a read of the same address, under way together. */
+/* A read, a write and a read of the same address, in flight together. */
 static void do_batch(void)
 {
     uint32_t address = (uint32_t)next_number();
@@ -273,7 +274,7 @@ static void do_batch(void)
     finish(ul_finish(&the_link, &batch), words, 2);
 }
 
-/* Writes of 0, 1, 2... to an address that are under way together, each with a status of its own. */
+/* Writes of 0, 1, 2... to an address, in flight together, each with its own status. */
 static void do_apart(void)
 {
     static ul_batch batches[MOST];

@@ -1,5 +1,5 @@
-// The client in C++ to be driven by a test: the commands of driver.c, each answered by the status and what came of it, or
-// by the sentence of the error.
+// The client in C++ that a test controls: the commands of driver.c, each answered by the status and the results, or by
+// the sentence of the error.
 #include "unity_link.hpp"
 
 #include <cstdio>
@@ -87,7 +87,7 @@ Words subscribe(std::istream &rest)
     return {};
 }
 
-// Sequence, lost and time as the driver in C has them, before the words.
+// Prints sequence number, losses and time as driver.c does, before the words.
 void print_next(std::istream &rest)
 {
     auto &subscription = subscriptions.at(number(rest));

@@ -1,5 +1,5 @@
-% The class of MATLAB and Octave to be driven by a test: the commands of driver.c, each answered by 0 and what came of it,
-% or by the identifier and the sentence of the error.
+% The class for MATLAB and Octave that a test controls: the commands of driver.c, each answered by 0 and the results, or
+% by the identifier and the sentence of the error.
 1;
 
 function values = numbers(texts)
@@ -58,7 +58,7 @@ the_link = [];
 subscriptions = {};
 while true
   try
-    line = input('', 's');      % `fgetl` waits for what follows the line
+    line = input('', 's');      % `fgetl` would wait for the text after the line
   catch
     exit(0);
   end

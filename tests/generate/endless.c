@@ -1,7 +1,7 @@
-/* A link whose medium floods it: however much is taken, more is there, and time passes only while the link waits.
+/* A link whose medium floods it: every read finds more bytes, and time passes only while the link waits.
  *
- * Argument: the bytes that come again and again, in hexadecimal digits. Prints for each call its status, how many times
- * it has waited, a fiftieth of a second each, and how many bytes it has taken between two waits at most. */
+ * Argument: the bytes that the medium repeats, in hexadecimal digits. Prints for each call its status, how often it has
+ * waited for a fiftieth of a second, and the most bytes that it has read between two waits. */
 #include "unity_link.c"
 
 static char flood[64];
@@ -64,7 +64,7 @@ int main(int count, char **arguments)
     print_call("stuck", ul_open(&link, &medium, -1, 0.1));
     takes_nothing = false;
 
-    /* As behind an opening. */
+    /* The state after the link was opened. */
     link.transport = medium;
     link.transport.shortest_timeout = QUICK_TIMEOUT;
     link.info = (ul_info){.data_bits = 32, .address_bits = 16, .id_digits = 3, .crc_bits = 16, .crc_polynomial = 0x755B,

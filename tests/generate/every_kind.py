@@ -1,7 +1,7 @@
-"""A spec with every kind of signal, and values to try each with: what any generated client must get right.
+"""A spec with every kind of signal, and test values for each kind: every generated client must handle them.
 
-`Signal.encode` and `Signal.decode` are the measure: a client writes a value, and the words on the bus must be those of
-`encode`; it reads words, and the value must be that of `decode`.
+`Signal.encode` and `Signal.decode` are the reference: if a client writes a value, the words on the bus must be those of
+`encode`; if it reads words, the value must be that of `decode`.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface, Signal, Value
 
 WORD_BITS = (8, 12, 16, 32, 64)
-"""Widths of gateways that clients are tried with."""
+"""Word widths in bits of the gateways in tests of clients."""
 RANDOM_VALUES = 8
 
 _ENUMERATION = """\
@@ -52,7 +52,7 @@ public robot() {
   @g = 6: unsigned 60 READWRITE();
 }
 """)
-"""Limits that a double does not hold, and some that no whole number is."""
+"""A spec with limits that a double cannot represent, and limits that are not whole numbers."""
 LIMIT_TRIALS: list[tuple[str, int, bool]] = [
     ("a", 2**64 - 2, True),
     ("a", 2**64 - 1, False),
@@ -74,11 +74,11 @@ LIMIT_TRIALS: list[tuple[str, int, bool]] = [
     ("g", 2**60 - 1, True),
     ("g", 2**60, False),
 ]
-"""Signals of that spec, values, and whether they take them."""
+"""Signals of that spec, values, and True if the signal accepts the value."""
 
 
 def every_kind(word_bits: int) -> Spec:
-    """Compile a spec of every kind for a gateway of words of so many bits, and addresses of 8."""
+    """Return the spec of every kind, for a gateway with words of `word_bits` bits and addresses of 8 bits."""
     kinds = [
         "bool",
         *(f"unsigned {width}" for width in (1, 3, 8, 13, 16, 24, 31, 32, 33, 53, 63, 64)),
@@ -127,7 +127,7 @@ def every_kind(word_bits: int) -> Spec:
 
 
 def written(interface: Interface) -> Iterator[tuple[Signal, Value]]:
-    """Return signals that can be written and read back, each with many values that it takes."""
+    """Yield each signal that can be written and read back, with each of many values that it accepts."""
     for signal in interface.signals.values():
         if signal.access is Access.READWRITE:
             for value in good_values(signal):
@@ -135,7 +135,7 @@ def written(interface: Interface) -> Iterator[tuple[Signal, Value]]:
 
 
 def good_values(signal: Signal) -> list[Value]:
-    """Return values of a signal: the ends of its range, its limits, what lies around 0, and some at random."""
+    """Return values of a signal: the ends of its range, its limits, values around 0, and random ones."""
     kind, low, high = signal.kind, *signal.limits
     chance = random.Random(signal.path)
     raws = {0, 1, (1 << kind.width) - 1, 1 << kind.width - 1, (1 << kind.width - 1) - 1}

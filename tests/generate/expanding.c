@@ -1,8 +1,8 @@
-/* The text that the client makes of the bytes of a gateway in both forms.
+/* Prints the text frames that the client makes of a gateway's bytes, in both forms.
  *
- * Each line of the input is a case: digits of an ID, of a CRC and of an address, the number of the node or -1, how many
- * bytes arrive at a time, and the bytes in hexadecimal digits. For each the frames that have ended are printed, as text
- * in hexadecimal digits, with their line ends. */
+ * Each line of the input is a case: the digits of an ID, of a CRC and of an address, the number of the node or -1, the
+ * bytes in each read, and the bytes in hexadecimal digits. For each case it prints the complete frames with their line
+ * ends, as text in hexadecimal digits. */
 #include "unity_link.c"
 
 static text arriving;

@@ -1,5 +1,5 @@
--- Words 1, 2, 3, ... behind the FIFO port of a generated gateway: a few are there before its group runs, others come one by
--- one or many at once. What the gateway sends is printed, a frame a line.
+-- Words 1, 2, 3, ... at the FIFO port of a generated gateway: some are stored before its group runs, others arrive one
+-- by one or many at once. The frames from the gateway are printed, one on each line.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -94,7 +94,7 @@ begin
     wait for 200 ns;
     wait until rising_edge(clk);
     rst <= '0';
-    -- On the trigger, without timestamps, in plain frames.
+    -- Samples on the trigger, without timestamps, in plain frames.
     send("GS032200010120");
     send("GN03");
     wait for 60 us;

@@ -1,7 +1,7 @@
-"""GNU Octave as the tests use it: scripts that run beside generated code, and what they print.
+"""GNU Octave for tests: runs scripts beside generated code, and reads their output.
 
-Octave takes a second to start, so a script asks for many things at once and prints what it got, ``LABEL<TAB>TEXT`` a
-line; the tests look at the lines. Numbers are printed so that no bit is lost: `doubles` and `words` say how.
+Octave takes a second to start, so a script makes many calls, and prints the results as lines of ``LABEL<TAB>TEXT``,
+which the tests check. Numbers are printed without loss, in the forms that `doubles` and `words` return.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 MEX_FILE = "unity_link_mex.mex"
 CAREFULLY = {"CFLAGS": "-O1 -Wall -Wextra -Werror"}
-"""Compiler options of the MEX file for the tests."""
+"""Compiler options of the MEX file in tests."""
 LONGEST_RUN = 300
-"""Seconds after which a script is ended that hangs."""
+"""Seconds after which a script that hangs is killed."""
 _PRELUDE = """\
 1;
 function show(label, value)
@@ -64,7 +64,7 @@ end
 
 @functools.cache
 def why_not() -> str:
-    """Return the reason why these tests cannot run; empty where they can."""
+    """Return the reason why these tests cannot run, or "" if they can."""
     octave = shutil.which("octave-cli")
     if octave is None:
         return "octave-cli is not installed (Debian: apt install octave)"
@@ -74,20 +74,20 @@ def why_not() -> str:
 
 
 class Octave:
-    """Octave in a folder with generated code, which is built already where a MEX file is given."""
+    """Octave in a folder with generated code; the code is built already if a MEX file is given."""
 
     def __init__(self, folder: Path, mex_file: Path | None = None) -> None:
         self.folder = folder
         self._mex_file = mex_file
 
     def generate(self, spec: Spec) -> None:
-        """Add the class of a spec."""
+        """Generate the class of a spec into the folder."""
         write(generate("matlab", spec), self.folder)
         if self._mex_file is not None:
             shutil.copy2(self._mex_file, self.folder)
 
     def start(self, script: str, environment: Mapping[str, str] | None = None) -> subprocess.Popen[str]:
-        """Run a script, with some more variables in its environment."""
+        """Start a script, with further variables in its environment."""
         (self.folder / "script.m").write_text(f"{_PRELUDE}{script}\nexit(0);\n", encoding="utf-8")
         return subprocess.Popen(
             ["octave-cli", "--no-init-file", "--quiet", "script.m"],
@@ -100,7 +100,7 @@ class Octave:
         )
 
     def run(self, script: str, environment: Mapping[str, str] | None = None) -> dict[str, str]:
-        """Run a script to its end, and return what it showed, by its labels."""
+        """Run a script to its end; return the texts that it printed, by their labels."""
         with self.start(script, environment) as process:
             try:
                 output, errors = process.communicate(timeout=LONGEST_RUN)
@@ -111,17 +111,17 @@ class Octave:
 
 
 def doubles(*values: float) -> str:
-    """Return what `show` prints for doubles."""
+    """Return the text that `show` prints for doubles."""
     return " ".join(["double", *(struct.pack(">d", value).hex() for value in values)])
 
 
 def words(*values: float, kind: str = "uint64") -> str:
-    """Return what `show` prints for whole numbers of 64 bits."""
+    """Return the text that `show` prints for whole numbers of 64 bits."""
     return " ".join([kind, *(f"{int(value) & (1 << 64) - 1:016x}" for value in values)])
 
 
 def numbers(text: str) -> list[float]:
-    """Read what `show` printed for doubles."""
+    """Return the doubles of a text that `show` printed."""
     kind, *values = text.split()
     assert kind == "double"
     return [struct.unpack(">d", bytes.fromhex(value))[0] for value in values]

@@ -1,13 +1,13 @@
-"""Peers of generated clients: `unity-link simulate` as a process of its own, and a line that fails on demand.
+"""Peers of generated clients: `unity-link simulate` as another process, and a line that fails on demand.
 
     with simulate("tcp", "--robot", "scara") as url, FaultyLine(url, "pty", [lose(r"^r002")]) as line:
         run_client(line.url)
-    assert line.count(r"^r002") == 2    # lost once, and asked for again
+    assert line.count(r"^r002") == 2    # the client retransmitted the lost request
 
-`simulate` is the real command on a real medium. `FaultyLine` stands between a client and a gateway that is served by
-TCP: it carries whole frames, keeps all of them, and does to the ones that a `Fault` names what the test says. So a test
-knows exactly which frame was lost, where the noise of `simulate --loss` only tells that some were. A session begins
-with any ID; in patterns, and in the frames that are kept, its IDs count from 000 on.
+`simulate` is the real command on a real medium. `FaultyLine` is a line between a client and a gateway that is served by
+TCP: it carries whole frames, stores all of them, and applies each `Fault` to the frames that its pattern matches. So a
+test knows exactly which frame was lost; the noise of `simulate --loss` is random. A session begins with a random ID; in
+patterns, and in the stored frames, its IDs count from 000 on.
 """
 
 from __future__ import annotations
@@ -48,7 +48,7 @@ _DEFAULT_INFO = GatewayInfo()
 
 @contextlib.contextmanager
 def simulate(medium: Literal["pty", "tcp", "unix", "udp"], *arguments: str) -> Iterator[str]:
-    """Run `unity-link simulate` with some more arguments, and give its URL."""
+    """Run `unity-link simulate` with further arguments; yield its URL."""
     where = [f"--{medium}", *{"pty": [], "unix": []}.get(medium, ["0"])]
     command = [PROGRAM, "simulate", *where, *arguments]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
@@ -63,7 +63,7 @@ def simulate(medium: Literal["pty", "tcp", "unix", "udp"], *arguments: str) -> I
 
 @contextlib.contextmanager
 def serve(gateway: Gateway) -> Iterator[str]:
-    """Serve a gateway of this process by TCP, for what `simulate` has not: devices, nodes. Gives its URL."""
+    """Serve a gateway of this process by TCP, for features that `simulate` lacks: devices, nodes. Yield its URL."""
     loop = asyncio.new_event_loop()
     served = serve_tcp(gateway)
     thread = threading.Thread(target=loop.run_forever, daemon=True)
@@ -78,21 +78,21 @@ def serve(gateway: Gateway) -> Iterator[str]:
 
 
 class ObservedGateway(VirtualGateway):
-    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before or behind a frame."""
+    """A gateway that stores received frames and bus accesses, and can be reset before or after a frame."""
 
     def __init__(self, info: GatewayInfo = _DEFAULT_INFO) -> None:
         super().__init__(info)
         self.heard: list[str] = []
         self.bus_log = RecordedBus(self)
         self.most_at_once = 0
-        """Most requests with an ID that came together."""
+        """Most requests with an ID that arrived together."""
         self.reset_before: int | None = None
-        """Number of frames until the reset."""
-        self.reset_behind = False
-        """True if it is to be reset once the frame under way is answered."""
+        """Number of frames until the reset; None for no reset."""
+        self.reset_after = False
+        """True if the gateway is to be reset after the answer to the current frame."""
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes, frame by frame."""
+        """Pass bytes to the gateway frame by frame; return its answers."""
         replies = [super().receive(b"", now)]
         frames = re.findall(rb"[^\r\n]*[\r\n]", data)
         self.most_at_once = max(self.most_at_once, sum(frame[:1].islower() for frame in frames))
@@ -104,21 +104,21 @@ class ObservedGateway(VirtualGateway):
                     self.reset_before = None
             self.heard.append(frame.decode("latin-1").strip())
             replies.append(super().receive(frame, now))
-            if self.reset_behind:
+            if self.reset_after:
                 self.reset()
-                self.reset_behind = False
+                self.reset_after = False
         return b"".join(replies)
 
     def sessions(self) -> list[str]:
-        """Return the IDs with which sessions were begun, each with the number of the session behind it."""
+        """Return the first ID of each session that was begun, followed by the number of the session."""
         digits = self.info.id_digits + self.info.session_digits
         return [frame[1 : 1 + digits] for frame in self.heard if frame.startswith("K") and len(frame) > 1 + digits]
 
 
 class Fault(msgspec.Struct):
-    """Fault of the first frames that a pattern finds.
+    """A fault of the first `times` frames that a pattern matches.
 
-    `change` gives what arrives in place of a frame, by that and by what the session puts into the checks of its side.
+    `change` returns the bytes that arrive instead, from the frame and the CRC seed of its side in the session.
     """
 
     pattern: re.Pattern[str]
@@ -127,7 +127,7 @@ class Fault(msgspec.Struct):
 
 
 class SessionIds:
-    """The IDs of a line's session, of three digits, as numbers from 0 on; and the number of the session."""
+    """Translates the IDs of a session, of three digits, into numbers from 0 on; stores the number of the session."""
 
     _START = re.compile(r"K([0-9A-F]{3})([0-9A-F]{4})(?:[0-9A-F]{4}){1,2}$")
     _NUMBERED = re.compile(r"([g-z]{1,2})([0-9A-F]{3})")
@@ -136,39 +136,39 @@ class SessionIds:
         self.first = self.number = 0
 
     def note(self, text: str) -> None:
-        """Record the beginning of a session."""
+        """Store the first ID and the number of a session, if the frame begins one."""
         if found := self._START.match(text):
             self.first, self.number = int(found[1], 16), int(found[2], 16)
 
     def counted(self, text: str) -> str:
-        """Return a frame with its ID counted from the first of the session."""
+        """Return a frame in which the ID is counted from the first ID of the session."""
         return self._NUMBERED.sub(
             lambda found: f"{found[1]}{int(found[2], 16) - self.first & 0xFFF:03X}", text, count=1
         )
 
 
 def lose(pattern: str, times: int = 1) -> Fault:
-    """Lose frames; the line end too."""
+    """Return a fault that loses frames with their line ends."""
     return Fault(re.compile(pattern), lambda _, __: b"", times)
 
 
 def damage(pattern: str, times: int = 1) -> Fault:
-    """Flip a bit in the last character before the line end, so that the CRC is wrong."""
+    """Return a fault that flips a bit in the last character before the line end, so that the CRC is wrong."""
     return Fault(re.compile(pattern), lambda frame, _: frame[:-2] + bytes([frame[-2] ^ 1]) + frame[-1:], times)
 
 
 def double(pattern: str, times: int = 1) -> Fault:
-    """Return a fault by which frames arrive twice."""
+    """Return a fault that delivers frames twice."""
     return Fault(re.compile(pattern), lambda frame, _: 2 * frame, times)
 
 
 def replace(pattern: str, text: bytes, times: int = 1) -> Fault:
-    """Return a fault by which another text arrives."""
+    """Return a fault that delivers another text instead of a frame."""
     return Fault(re.compile(pattern), lambda _, __: text, times)
 
 
 def answer(pattern: str, body: bytes, times: int = 1) -> Fault:
-    """Return a fault by which a checked frame arrives: `body` with the ID of the frame at its `%b`."""
+    """Return a fault that delivers a checked frame instead: `body` with the ID of the frame at its `%b`."""
     return Fault(re.compile(pattern), lambda frame, seed: Framing(Crc()).checked(body % frame[1:4], seed), times)
 
 
@@ -181,18 +181,18 @@ class _Direction:
         self._rest = b""
 
     def carry(self) -> bool:
-        """Carry what has come; False at the end of the stream."""
+        """Carry the received bytes; return False at the end of the stream."""
         try:
             data = os.read(self.source, 65536)
         except OSError:
             return False
         *frames, self._rest = re.split(rb"(?<=[\r\n])", self._rest + data)
-        arriving = b"".join(self._fate(frame) for frame in frames)
+        arriving = b"".join(self._after_faults(frame) for frame in frames)
         while arriving:
             arriving = arriving[os.write(self._sink, arriving) :]
         return bool(data)
 
-    def _fate(self, frame: bytes) -> bytes:
+    def _after_faults(self, frame: bytes) -> bytes:
         text = frame.decode("latin-1").strip("\r\n")
         self._ids.note(text)
         text = self._ids.counted(text)
@@ -206,13 +206,13 @@ class _Direction:
 
 
 class FaultyLine:
-    """A line between one client, by a pty or TCP, and a gateway that is served by TCP.
+    """A line between one client, on a pty or TCP, and a gateway that is served by TCP.
 
     Args:
         gateway: ``tcp://host:port``.
-        medium: how the client comes.
-        replies: what happens to frames of the gateway.
-        requests: what happens to frames of the client.
+        medium: medium of the client.
+        replies: faults of frames from the gateway.
+        requests: faults of frames from the client.
     """
 
     def __init__(
@@ -236,12 +236,12 @@ class FaultyLine:
         self._stack.callback(os.close, self._waker)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self.requests: list[str] = []
-        """Frames that the client sent, without line ends."""
+        """Frames that the client has sent, without line ends."""
         self.replies: list[str] = []
-        """Frames that the gateway sent."""
+        """Frames that the gateway has sent, without line ends."""
 
     def count(self, pattern: str) -> int:
-        """Return how many frames of the client the pattern finds."""
+        """Return the number of frames of the client that a pattern matches."""
         return sum(bool(re.search(pattern, frame)) for frame in self.requests)
 
     def __enter__(self) -> Self:

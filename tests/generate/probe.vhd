@@ -1,4 +1,4 @@
--- An entity behind a component: it shows at its ports all that one can have.
+-- An entity for a core of a spec, with every kind of port that a core can have.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -1,4 +1,4 @@
-"""Compiling generated clients as a careful user would, and driving them from a test."""
+"""Functions that compile generated clients as a careful user would, and control them from a test."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ STRICT = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-Wshadow", "-Wconversion"
 SANITIZED = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
 HERE = Path(__file__).parent
 PATIENCE = 120
-"""Seconds after which a program hangs: for a loaded machine, and never reached."""
+"""Seconds after which a program is considered to hang; a loaded machine does not reach them."""
 SIMULATED_PATIENCE = 600
-"""The same on simulated time."""
+"""Simulated seconds after which a program is considered to hang."""
 
 
 def generated(target: str, spec: Spec, directory: Path) -> list[Path]:
-    """Write the files of a target, and give their paths."""
+    """Write the files of a target; return their paths."""
     return write(generate(target, spec), directory)
 
 
 def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, *options: str) -> list[Path]:
-    """Compile sources without a warning, and return the objects."""
+    """Compile sources without warnings; return the object files."""
     objects = []
     for source in sources:
         made = directory / f"{source.name}.o"
@@ -44,13 +44,13 @@ def compiled(compiler: Sequence[str], sources: Sequence[Path], directory: Path, 
 
 
 def checked(compiler: Sequence[str], source: Path, directory: Path) -> None:
-    """Check a source with a compiler, which takes a fraction of the time."""
+    """Check the syntax and warnings of a source without compiling it, which is much faster."""
     warnings = ("-pedantic", "-Wall", "-Wextra", "-Werror")
     _run([*compiler, *warnings, f"-I{directory}", "-fsyntax-only", str(source)])
 
 
 def linked(compiler: Sequence[str], objects: Sequence[Path], program: Path, *options: str) -> Path:
-    """Link objects to a program."""
+    """Link object files; return the program."""
     _run([*compiler, *options, *map(str, objects), "-o", str(program)])
     return program
 
@@ -62,14 +62,14 @@ def _run(command: list[str]) -> None:
 
 
 def output(program: Path, *arguments: str) -> str:
-    """Run a program that is to succeed, and return what it prints."""
+    """Run a program, which must succeed; return its output."""
     result = subprocess.run([program, *arguments], capture_output=True, text=True, timeout=PATIENCE, check=False)
     assert result.returncode == 0, result.stderr[:4000]
     return result.stdout
 
 
 class Driven:
-    """A client that takes commands, as `driver.c` has them, and answers each with a line."""
+    """A client that reads commands, as `driver.c` does, and answers each with a line."""
 
     def __init__(self, program: Path) -> None:
         self._process = subprocess.Popen([program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
@@ -83,16 +83,16 @@ class Driven:
         if error is not None:
             self._process.kill()
         self._process.communicate(timeout=PATIENCE)
-        # The sanitizers end a program that did wrong with another code.
+        # The sanitizers end a program with another exit code if they found an error.
         assert error is not None or self._process.returncode == 0
 
     def __call__(self, command: str) -> str:
-        """Do a command, and return the answer."""
+        """Send a command; return the answer."""
         self.send(command)
         return self.answer()
 
     def send(self, command: str) -> None:
-        """Do a command without waiting for the answer."""
+        """Send a command without waiting for the answer."""
         assert self._process.stdin is not None
         self._process.stdin.write(f"{command}\n")
         self._process.stdin.flush()
@@ -105,19 +105,19 @@ class Driven:
         return line.rstrip("\n")
 
     def words(self, command: str) -> list[int]:
-        """Do a command that is to succeed, and give its numbers."""
+        """Send a command that must succeed; return the numbers of its answer."""
         status, *numbers = self(command).split()
         assert status == "0", f"{command} gives {status} {' '.join(numbers)}"
         return [int(number) for number in numbers]
 
 
 class Simulated(Driven):
-    """The same on simulated time, connected to a gateway of the test by ``connect test: 5``.
+    """A client on simulated time; ``connect test: 5`` connects it to a gateway of the test.
 
     Args:
-        program: `driver.c`.
-        gateway: takes bytes and the time, and gives the bytes that arrive after `latency`.
-        latency: seconds until what the gateway answers arrives.
+        program: `driver.c`, compiled.
+        gateway: function of bytes and the time; returns the bytes that arrive after `latency`.
+        latency: seconds until an answer of the gateway arrives.
     """
 
     def __init__(self, program: Path, gateway: Callable[[bytes, float], bytes], latency: float = 0.001) -> None:
@@ -127,7 +127,7 @@ class Simulated(Driven):
         self.now = 0.0
 
     def answer(self) -> str:
-        """Return the answer to a command, and let time pass until it comes."""
+        """Return the answer to a command; let simulated time pass until it arrives."""
         give_up = self.now + SIMULATED_PATIENCE
         while (line := super().answer()).startswith("~"):
             assert self.now < give_up, "the client does not end"
@@ -144,13 +144,13 @@ class Simulated(Driven):
         if self._under_way and self._under_way[0][0] <= until:
             self.now, arrived = self._under_way.popleft()
             return arrived
-        # A clock of which the steps are lost in the rounding would stand still.
+        # Advance by at least the smallest step of a float, so that time always passes.
         self.now = max(until, math.nextafter(self.now, math.inf))
         return b""
 
 
 class SimulatedLine(Simulated):
-    """The same with a gateway on a line that takes its time: it says by itself what arrives, and when."""
+    """A client on simulated time with a line that delays bytes: the line returns the bytes that arrive, and when."""
 
     def __init__(self, program: Path, line: Gateway) -> None:
         super().__init__(program, line.receive)

@@ -1,12 +1,13 @@
 """A gateway that answers at random, and a client in C that writes, posts and reads through it.
 
-``python -m generate.random_answers SECONDS [SEED]``, from the directory of the tests, builds the client under
-sanitizers and plays world after world, each by a seed of its own; time is simulated. The gateway executes what it
-understands. Its answers come right, damaged, lost, late, twice, or as others than they are, and it is reset now and
-then. It never says of a write that it was executed, or was not, where that is untrue: no client could know better.
+``python -m generate.random_answers SECONDS [SEED]``, from the directory of the tests, builds the client with sanitizers
+and runs scenarios, each with its own seed, on simulated time. The gateway executes the requests that it receives
+undamaged. Its answers arrive right, damaged, lost, late, twice, or replaced by others, and it is reset at times. It
+never
+reports falsely that a write was executed, or was not: no client could detect that.
 
-What must hold: every write is executed once, or the client says that it failed or is lost, and no sanitizer finds
-anything.
+The guarantee that is checked: every write is executed once, or the client reports that it failed or was lost; and the
+sanitizers find no error.
 """
 
 from __future__ import annotations
@@ -34,14 +35,14 @@ if TYPE_CHECKING:
 OK, LOST, LOST_EXECUTED, LOST_NOT_EXECUTED = 0, 32, 33, 34
 BUS_ERRORS = (b"04", b"05", b"06", b"0C", b"7F")
 COMMANDS = 60
-"""Commands of a client in one world."""
+"""Commands of a client in one scenario."""
 MOST_AT_ONCE = 30_000
-"""Bytes that arrive at once: `driver.c` takes no more."""
+"""Most bytes that arrive at once: `driver.c` accepts no more."""
 INFO = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)
 
 
 class RandomAnswers:
-    """A gateway that executes what it understands, and answers as chance says."""
+    """A gateway that executes undamaged requests, and answers at random."""
 
     def __init__(self, chance: random.Random) -> None:
         self.observed = ObservedGateway(INFO)
@@ -50,7 +51,7 @@ class RandomAnswers:
         self._crc = Crc(INFO.crc_bits, INFO.crc_polynomial)
         self._late, self._late_until = b"", 0.0
         trouble = chance.choice((0.0, 0.01, 0.05, 0.3))
-        self._fates: dict[Callable[[bytes], bytes], float] = {
+        self._outcomes: dict[Callable[[bytes], bytes], float] = {
             self._right: 1 - trouble,
             self._damaged: trouble / 5,
             self._lost: trouble / 5,
@@ -61,7 +62,7 @@ class RandomAnswers:
         self._damage, self._reset, self._pause = trouble / 10, trouble / 40, trouble / 4
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Pass bytes to the gateway; return the bytes that arrive."""
         if self._chance.random() < self._reset:
             self.did["reset"] += 1
             self.observed.reset()
@@ -84,9 +85,9 @@ class RandomAnswers:
         return data
 
     def _answered(self, frame: bytes) -> bytes:
-        fate = self._chance.choices(list(self._fates), list(self._fates.values()))[0]
-        self.did[fate.__name__.strip("_")] += 1
-        return fate(frame)
+        outcome = self._chance.choices(list(self._outcomes), list(self._outcomes.values()))[0]
+        self.did[outcome.__name__.strip("_")] += 1
+        return outcome(frame)
 
     def _right(self, frame: bytes) -> bytes:
         return frame
@@ -112,7 +113,7 @@ class RandomAnswers:
         return self._chance.choice(said) + frame
 
     def _other(self, frame: bytes) -> bytes:
-        """Answer a request that was executed by something else: an error, another word, too much, too little."""
+        """Replace the answer to an executed request: by an error, another word, too many or too few words."""
         body = frame[: -INFO.crc_bits // 4 - 1]
         found = re.fullmatch(rb"([g-m,o-w]{1,2})([0-9A-F]{3})([0-9A-F]*)", body)
         if found is None:
@@ -136,8 +137,8 @@ class RandomAnswers:
         return body + self._crc.text(body, seed_of(session, from_gateway=True) if bound else 0) + b"\n"
 
 
-class World:
-    """A client that writes, posts and reads, and what is known of its writes."""
+class Scenario:
+    """A client that writes, posts and reads, and the outcomes of its writes."""
 
     def __init__(self, program: Path, seed: int) -> None:
         self.chance = random.Random(seed)
@@ -148,7 +149,7 @@ class World:
         self._seen = 0
 
     def play(self) -> None:
-        """Play to the end; raises an AssertionError where a rule is broken."""
+        """Run the scenario; raise an AssertionError if the guarantee is violated."""
         with Simulated(self._program, self.gateway) as client:
             self._open(client)
             for _ in range(COMMANDS):
@@ -167,22 +168,22 @@ class World:
             client("close")
 
     def _executed(self) -> list[int]:
-        """Return the words written since the last time: each once, and in their order."""
+        """Return the words written since the last call; check that each was written once, in order."""
         log = self.gateway.observed.bus_log.writes
         words, self._seen = [word for _, word in log[self._seen :]], len(log)
-        assert words == sorted(set(words)), f"written twice, or not in order: {words}"
+        assert words == sorted(set(words)), f"words were written twice, or not in order: {words}"
         return words
 
     def _told(self, told: list[tuple[int, int]]) -> None:
-        """Compare what the client says of words with what was done."""
+        """Compare the statuses that the client reports for words with the writes that the bus saw."""
         executed = self._executed()
-        assert set(executed) <= {word for word, _ in told}, "a write of before was executed late"
+        assert set(executed) <= {word for word, _ in told}, "an earlier write was executed late"
         for word, status in told:
             self.writes[str(status)] += 1
             if status in (OK, LOST_EXECUTED):
-                assert word in executed, f"{word} is told as written, with status {status}, and is not"
+                assert word in executed, f"{word} was reported as written, with status {status}, but was not"
             if status == LOST_NOT_EXECUTED:
-                assert word not in executed, f"{word} is told as not written, and is"
+                assert word not in executed, f"{word} was reported as not written, but was"
 
     def _apart(self, client: Simulated) -> None:
         count = self.chance.choice((1, 5, 60, 200))
@@ -230,45 +231,47 @@ class World:
 
 
 def build(folder: Path) -> Path:
-    """Return the client, under sanitizers."""
+    """Return the client, built with sanitizers."""
     generated("c", compile_text(FIGURE_1), folder)
     sources = [folder / "unity_link.c", folder / "unity_link_posix.c", HERE / "driver.c"]
     return linked(C, compiled(C, sources, folder, *SANITIZED), folder / "driver", *SANITIZED)
 
 
-def play(program: Path, seed: int) -> World:
-    """Play a world; what is wrong in it is raised with its seed.
+def play(program: Path, seed: int) -> Scenario:
+    """Run a scenario; return it.
 
     Raises:
-        AssertionError: says which world it is.
+        AssertionError: if the guarantee is violated; the text names the seed.
     """
-    world = World(program, seed)
+    scenario = Scenario(program, seed)
     try:
-        world.play()
+        scenario.play()
     except AssertionError as error:
-        raise AssertionError(f"in world {seed}: {error}") from error
-    return world
+        raise AssertionError(f"in scenario {seed}: {error}") from error
+    return scenario
 
 
 def main() -> int:
-    """Play worlds for so long; returns the exit status."""
-    parser = argparse.ArgumentParser(prog="python -m generate.random_answers", description="Play worlds by seed.")
-    parser.add_argument("seconds", type=float, help="for so long")
-    parser.add_argument("seed", type=int, nargs="?", default=0, help="the first")
+    """Run scenarios for some seconds; return the exit status."""
+    parser = argparse.ArgumentParser(
+        prog="python -m generate.random_answers", description="Run random scenarios, one for each seed."
+    )
+    parser.add_argument("seconds", type=float, help="time to run")
+    parser.add_argument("seed", type=int, nargs="?", default=0, help="the first seed")
     options = parser.parse_args()
     seed = options.seed
     did: Counter[str] = Counter()
     writes: Counter[str] = Counter()
-    worlds = 0
+    scenarios = 0
     with tempfile.TemporaryDirectory() as folder:
         program = build(Path(folder))
         until = time.monotonic() + options.seconds
         while time.monotonic() < until:
-            world = play(program, seed + worlds)
-            worlds += 1
-            did.update(world.gateway.did)
-            writes.update(world.writes)
-    sys.stdout.write(f"{worlds} worlds from seed {seed}: every write is executed once, or reported\n")
+            scenario = play(program, seed + scenarios)
+            scenarios += 1
+            did.update(scenario.gateway.did)
+            writes.update(scenario.writes)
+    sys.stdout.write(f"{scenarios} scenarios from seed {seed}: every write is executed once, or reported\n")
     sys.stdout.write(f"answers: {dict(did.most_common())}\nwrites by status: {dict(writes.most_common())}\n")
     return 0
 

@@ -1,6 +1,6 @@
-/* Takes samples of one group at given times, and prints how they are counted and dated.
+/* Takes samples of one group at given times, and prints their sequence numbers, losses and times.
  *
- * Arguments: the gateway's clock in Hz, and the rate. Lines: the time, and the sample's body. */
+ * Arguments: the gateway's clock in Hz, and the rate in Hz. Lines: the time in seconds, and the body of a sample. */
 #include "unity_link.c"
 #include <inttypes.h>
 #include <stdlib.h>

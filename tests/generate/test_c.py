@@ -1,4 +1,4 @@
-"""The generated client in C does what the protocol and the docs say, against real gateways on real media."""
+"""The generated client in C works as the protocol and the documents state, with real gateways on real media."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ DEFAULT_INFO = GatewayInfo()
 
 @pytest.fixture(scope="session")
 def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The same for a machine with little memory."""
+    """Return the client with a small window and short frames, for a machine with little memory."""
     directory = tmp_path_factory.mktemp("small_driver")
     generated("c", compile_text(FIGURE_1), directory)
     sources = [directory / "unity_link.c", directory / "unity_link_posix.c", HERE / "driver.c"]
@@ -118,9 +118,7 @@ def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
-def test_generated_code_compiles_without_a_warning_in_c_and_its_headers_in_cpp(
-    word_bits: int | None, tmp_path: Path
-) -> None:
+def test_generated_c_and_its_headers_in_cpp_compile_without_warnings(word_bits: int | None, tmp_path: Path) -> None:
     spec = compile_text(FIGURE_1) if word_bits is None else every_kind(word_bits)
     files = generated("c", spec, tmp_path)
     compiled(C, [path for path in files if path.suffix == ".c"], tmp_path)
@@ -277,7 +275,7 @@ def test_gateways_of_any_width_are_understood(client: Driven, settings: dict[str
         if most < 2**64 - 1:
             assert client(f"write 0 {most + 1:X}").startswith(BAD_ARGUMENT)
             assert client(f"wblock 0 0 {most + 1:X}").startswith(BAD_ARGUMENT)
-        # How often a machine is late, and something is sent again, is its own matter.
+        # Only damage is checked: a slow machine may cause retransmissions.
         assert client.words("statistics")[4] == 0
 
 
@@ -314,7 +312,7 @@ def test_little_memory_is_enough(small_driver: Path) -> None:
 
 
 @pytest.mark.parametrize("medium", MEDIA)
-def test_an_error_of_the_bus_names_the_request_and_leaves_the_others_alone(client: Driven, medium: Medium) -> None:
+def test_bus_error_names_the_request_and_affects_no_other(client: Driven, medium: Medium) -> None:
     with simulate(medium, "--robot", "scara") as url:
         client.words(f"connect {url} 5")
         assert client("write 88 1") == "4 write at 0x88: the bus refused the access"
@@ -328,7 +326,7 @@ def test_an_error_of_the_bus_names_the_request_and_leaves_the_others_alone(clien
         assert client.words("rmany 12 13") == [1, 1]
 
 
-def test_posted_writes_are_counted_by_what_became_of_them(driver: Path) -> None:
+def test_posted_writes_are_counted_by_outcome(driver: Path) -> None:
     gateway = ObservedGateway()
     gateway.detach([0x88, 0x89])
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x88, 0x89])
@@ -361,7 +359,7 @@ def test_every_error_code_has_a_sentence(client: Driven) -> None:
         )
 
 
-def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
+def test_feature_that_the_gateway_lacks_is_named(client: Driven) -> None:
     with simulate("tcp", "--set", "features=0") as url:
         client.words(f"connect {url} 5")
         for command in ("masked 0 1 1", "rqueue 0 2", "wqueue 0 1", "immediate 1", "subscribe 0 10 - 10"):
@@ -369,7 +367,7 @@ def test_what_the_gateway_was_built_without_is_said(client: Driven) -> None:
         assert client.words("read 0") == [0]
 
 
-def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -> None:
+def test_request_beyond_the_gateways_widths_is_refused_before_it_is_sent(client: Driven) -> None:
     with simulate("tcp", "--set", "data_bits=16") as url:
         client.words(f"connect {url} 5")
         sent = client.words("statistics")[0]
@@ -381,7 +379,7 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         assert client("rblock FF 0") == "38 block read at 0xFF: at least one word is needed"
         for command, name in (("wblock", "block write"), ("wqueue", "queue write")):
             refused = f"38 {name} at 0x00: the gateway's words have fewer bits"
-            # The last word is of a request of its own.
+            # The last word belongs to a request of its own.
             assert client(f"{command} 0 {'1 ' * 0xFF}10000") == refused
             assert client(f"{command} 0 10000{' 1' * 0xFF}") == refused
         assert client.words("statistics")[0] == sent
@@ -417,7 +415,7 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         ("tcp://127.0.0.1:1", NO_CONNECTION, "tcp://127.0.0.1:1 cannot be opened: nothing accepts the connection"),
     ],
 )
-def test_what_cannot_be_opened_is_told_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
+def test_url_that_cannot_be_opened_is_reported_in_a_sentence(client: Driven, url: str, status: str, words: str) -> None:
     assert client(f"connect {url} 1").startswith(status + words)
     assert client("read 0").startswith(LOST_NOT_EXECUTED)
 
@@ -429,7 +427,7 @@ def test_a_time_out_that_is_no_number_or_longer_than_thirty_years_is_refused(cli
 
 
 @pytest.mark.parametrize("url", ["", "serial:/dev/ttyNOPE", "nosuch:"], ids=["never", "no port", "no URL"])
-def test_every_call_on_a_link_that_never_opened_says_so(client: Driven, url: str) -> None:
+def test_every_call_on_a_link_that_never_opened_reports_it(client: Driven, url: str) -> None:
     if url:
         assert not client(f"connect {url} 1").startswith("0")
     calls = (
@@ -475,7 +473,7 @@ def test_a_signal_that_the_program_handles_leaves_a_connection_its_time(runtime:
     objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
     program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
     with socket.create_server(("127.0.0.1", 0), backlog=0) as full, socket.create_connection(full.getsockname()):
-        # The one place is taken, so that whoever knocks now is not answered.
+        # The backlog has room for one connection, which is taken, so that the next connection is not accepted.
         handled, error = output(program, f"tcp://127.0.0.1:{full.getsockname()[1]}").split(" ", 1)
     assert error.rstrip().endswith("cannot be opened: the connection was not accepted in time")
     assert int(handled) > 10
@@ -563,7 +561,7 @@ int main(int count, char **arguments) {
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize("medium", ["tcp", "unix", "pty"])
-def test_a_program_that_is_started_meanwhile_does_not_keep_the_connection_open(
+def test_child_program_does_not_keep_the_connection_open(
     runtime: list[Path], tmp_path: Path, medium: Literal["tcp", "unix", "pty"]
 ) -> None:
     (tmp_path / "program.c").write_text(HANDED_DOWN)
@@ -576,7 +574,7 @@ def test_a_program_that_is_started_meanwhile_does_not_keep_the_connection_open(
 
 def test_a_time_out_may_be_longer_than_the_system_can_wait_at_once(client: Driven) -> None:
     with simulate("tcp") as url:
-        # In milliseconds, the largest int and a half.
+        # In milliseconds, half more than the largest int.
         client.words(f"connect {url} 2147483.6475")
         client.words("close")
         client.words(f"connect {url} 1e9")
@@ -591,19 +589,19 @@ def test_a_time_out_that_is_no_number_has_passed(client: Driven) -> None:
         assert client("next 0 nan").startswith(NO_SAMPLE)
 
 
-def test_a_port_at_which_nobody_speaks_is_no_gateway(client: Driven) -> None:
+def test_port_without_answers_is_no_gateway(client: Driven) -> None:
     with socket.create_server(("127.0.0.1", 0)) as silent:
         assert client(f"connect tcp://127.0.0.1:{silent.getsockname()[1]} 0.3").startswith(NO_CONNECTION)
 
 
-def test_a_connection_that_ends_before_the_gateway_answers_is_told_as_that(client: Driven) -> None:
+def test_connection_that_ends_before_the_first_answer_is_reported_as_such(client: Driven) -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         client.send(f"connect tcp://127.0.0.1:{server.getsockname()[1]} 5")
         server.accept()[0].close()
         assert client.answer() == f"{NO_CONNECTION}the connection was lost before the gateway answered"
 
 
-def test_a_link_with_nothing_under_way_is_closed_without_a_word(driver: Path) -> None:
+def test_idle_link_is_closed_without_a_request(driver: Path) -> None:
     gateway = FallingSilent()
     with Simulated(driver, gateway) as client:
         client.words("connect test: 5")
@@ -614,7 +612,7 @@ def test_a_link_with_nothing_under_way_is_closed_without_a_word(driver: Path) ->
         assert client.words("statistics")[0] == before
 
 
-def test_a_port_that_another_program_has_is_told(driver: Path) -> None:
+def test_port_in_use_by_another_program_is_reported(driver: Path) -> None:
     with simulate("pty") as url, Driven(driver) as first, Driven(driver) as second:
         first.words(f"connect {url}?baud=1234567&rtscts=0 5")
         assert second(f"connect {url} 5") == f"{NO_CONNECTION}{url} cannot be opened: in use by another program"
@@ -628,7 +626,7 @@ def test_a_port_that_another_program_has_is_told(driver: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 @pytest.mark.parametrize("fault", [lose, damage])
-def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
+def test_lost_answer_is_requested_again_and_nothing_executes_twice(
     client: Driven, medium: Medium, fault: Callable[[str], Fault]
 ) -> None:
     with simulate("tcp") as gateway, FaultyLine(gateway, medium, [fault("^w000"), fault("^r002")]) as line:
@@ -642,7 +640,7 @@ def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
 
 
 class Counting:
-    """A queue that gives 0, 1, 2...; and counts what is written to it."""
+    """A queue that returns 0, 1, 2 and so on, and stores written words."""
 
     def __init__(self) -> None:
         self.given = 0
@@ -656,7 +654,7 @@ class Counting:
         self.taken.append(value)
 
 
-def test_what_cannot_be_repeated_is_done_once_and_its_answer_comes_again(client: Driven) -> None:
+def test_request_with_side_effects_executes_once_and_its_answer_is_repeated(client: Driven) -> None:
     gateway, queue = VirtualGateway(), Counting()
     gateway.attach(queue, [0x20])
     with serve(gateway) as url, FaultyLine(url, "tcp", [lose("^rq"), lose("^wk"), lose("^wq")]) as line:
@@ -670,7 +668,7 @@ def test_what_cannot_be_repeated_is_done_once_and_its_answer_comes_again(client:
 
 
 @pytest.mark.parametrize("fault", [lose, damage, double])
-def test_requests_that_arrive_wrong_are_sent_again_in_order(client: Driven, fault: Callable[[str], Fault]) -> None:
+def test_damaged_requests_are_retransmitted_in_order(client: Driven, fault: Callable[[str], Fault]) -> None:
     gateway, queue = VirtualGateway(), Counting()
     gateway.attach(queue, [0x20])
     faults = [fault(f"^ws?{number:03X}") for number in (1, 5, 6, 20, 21, 60)]
@@ -683,7 +681,7 @@ def test_requests_that_arrive_wrong_are_sent_again_in_order(client: Driven, faul
         assert queue.taken == list(range(100))
 
 
-def test_a_posted_write_that_is_lost_is_sent_again_before_anything_behind_it_is_done(client: Driven) -> None:
+def test_lost_posted_write_is_retransmitted_before_later_requests_execute(client: Driven) -> None:
     with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[lose("^ws000")]) as line:
         client.words(f"connect {line.url} 5")
         client.words("post 10 7")
@@ -691,7 +689,7 @@ def test_a_posted_write_that_is_lost_is_sent_again_before_anything_behind_it_is_
         assert line.count("^ws000") >= 2
 
 
-def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behind_it_go_on(client: Driven) -> None:
+def test_request_that_the_gateway_rejects_is_given_up_and_later_ones_go_on(client: Driven) -> None:
     malformed = answer("^w000", b"w%b", 99)
     with simulate("tcp") as gateway, FaultyLine(gateway, "tcp", requests=[malformed]) as line:
         client.words(f"connect {line.url} 5")
@@ -702,14 +700,14 @@ def test_a_request_that_the_gateway_never_understands_is_given_up_and_those_behi
 
 
 class Babbling:
-    """A gateway that opens a session, and answers everything else with the same."""
+    """A gateway that opens a session, and then gives the same answer to every request."""
 
     def __init__(self, answer: bytes) -> None:
         self._gateway, self._answer = VirtualGateway(), answer
         self.stops = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is answered."""
+        """Return the answers to bytes."""
         frames = [frame for frame in re.split(rb"(?<=[\r\n])", data) if frame.strip()]
         return b"".join(self._answer if frame[0] in b"ghirw" else self._gateway.receive(frame, now) for frame in frames)
 
@@ -729,7 +727,7 @@ DAMAGED_ANSWER = b"w0000\n"
 @pytest.mark.parametrize(
     ("command", "name"), [("read 10", "read"), ("wblock 10 1 2 3", "block write"), ("rblock 10 3", "block read")]
 )
-def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_fence_is_gone(
+def test_request_given_up_fails_and_a_gateway_without_fence_answers_is_lost(
     driver: Path, answer: bytes, first: str, command: str, name: str
 ) -> None:
     with Simulated(driver, Babbling(answer)) as client:
@@ -741,7 +739,7 @@ def test_what_is_given_up_is_its_own_error_and_a_gateway_that_refuses_even_the_f
 
 
 @pytest.mark.parametrize("answer", [REFUSAL, DAMAGED_ANSWER], ids=["refused", "damaged"])
-def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, answer: bytes) -> None:
+def test_requests_in_flight_end_with_their_failed_call(driver: Path, answer: bytes) -> None:
     with Simulated(driver, Babbling(answer)) as client:
         client.words("connect test: 5")
         for value in range(10):
@@ -754,7 +752,7 @@ def test_what_is_under_way_when_its_call_fails_is_ended_with_it(driver: Path, an
 
 
 @pytest.mark.parametrize(("url", "repeats"), [("test:", False), ("test:0.002", True)])
-def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_medium_knows_better(
+def test_timeout_covers_the_latency_of_a_usb_chip_unless_the_medium_has_less(
     driver: Path, url: str, repeats: bool
 ) -> None:
     with Simulated(driver, VirtualGateway().receive, latency=0.0005) as client:
@@ -767,18 +765,18 @@ def test_an_answer_is_waited_for_as_long_as_a_usb_chip_may_keep_it_unless_the_me
 
 
 class Faulty:
-    """A gateway of which the answers that a pattern finds are damaged, so many times each."""
+    """A gateway that damages each answer that a pattern matches `times` times."""
 
     def __init__(self, pattern: bytes, times: int, info: GatewayInfo = DEFAULT_INFO) -> None:
         self._gateway, self._pattern, self._times = VirtualGateway(info), re.compile(pattern), times
         self._damaged: Counter[bytes] = Counter()
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Return the bytes that arrive."""
         answers = self._gateway.receive(data, now).splitlines(keepends=True)
-        return b"".join(self._fate(answer) for answer in answers)
+        return b"".join(self._after_faults(answer) for answer in answers)
 
-    def _fate(self, answer: bytes) -> bytes:
+    def _after_faults(self, answer: bytes) -> bytes:
         if not self._pattern.match(answer) or self._damaged[answer] == self._times:
             return answer
         self._damaged[answer] += 1
@@ -786,7 +784,7 @@ class Faulty:
 
 
 @pytest.mark.parametrize("times", [1, 2])
-def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(driver: Path, times: int) -> None:
+def test_damaged_answers_and_their_repetitions_are_requested_again_at_once(driver: Path, times: int) -> None:
     with Simulated(driver, Faulty(b"r..[05A]", times)) as client:
         client.words("connect test: 5")
         for _ in range(100):
@@ -798,7 +796,7 @@ def test_a_damaged_answer_is_asked_for_again_at_once_and_so_is_its_repetition(dr
         assert client.words("statistics")[3] == 0
 
 
-def test_what_a_line_loses_under_many_requests_is_found_by_signs_and_hardly_ever_by_a_time_out(driver: Path) -> None:
+def test_losses_among_many_requests_are_detected_almost_without_timeouts(driver: Path) -> None:
     line = NoisyLine(VirtualGateway(), Noise(1, loss=0.001, flip=0.001), Noise(2, loss=0.001, flip=0.001))
     with Simulated(driver, line.receive) as client:
         client.words("connect test: 30")
@@ -809,12 +807,12 @@ def test_what_a_line_loses_under_many_requests_is_found_by_signs_and_hardly_ever
             ]
         _, _, _, timeouts, damaged, _ = client.words("statistics")
         assert damaged > 100
-        # The last line end of a batch is behind all that could be a sign that it was lost.
+        # If the last line end of a batch is lost, no later answer reveals it; only then a time-out is needed.
         assert timeouts < damaged / 50
         assert client.now < 1.1
 
 
-# What spoils a line, of a hundred bytes.
+# Errors on a line, as chances for each byte.
 SPOILED = [
     {"flip": 0.01},
     {"loss": 0.01},
@@ -823,7 +821,7 @@ SPOILED = [
     {"flip": 0.005, "double": 0.01},
 ]
 TWO_DIGITS = GatewayInfo(id_digits=2)
-"""With which half the ring is as many requests as the client has places for."""
+"""Half of its sequence space is as many requests as the client has places for."""
 COMPACT = GatewayInfo(id_digits=2, features=GatewayInfo().features | Feature.COMPACT)
 BOTH_FORMS = pytest.mark.parametrize("info", [TWO_DIGITS, COMPACT], ids=["text", "compact"])
 OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXECUTED: 34}
@@ -833,7 +831,7 @@ OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXEC
 @pytest.mark.parametrize("together", [False, True], ids=["one by one", "together"])
 @pytest.mark.parametrize("chances", SPOILED, ids=str)
 @BOTH_FORMS
-def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
+def test_client_sends_the_same_bytes_at_the_same_times_as_the_python_host(
     driver: Path, chances: dict[str, float], info: GatewayInfo, *, together: bool
 ) -> None:
     count = 200
@@ -865,7 +863,7 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
 
 @pytest.mark.slow
 @BOTH_FORMS
-def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path, info: GatewayInfo) -> None:
+def test_outcomes_of_requests_at_a_reset_equal_those_of_the_python_host(driver: Path, info: GatewayInfo) -> None:
     for seed in range(24):
         chances = {"flip": 0.004 * (seed % 3), "loss": 0.002 * (seed % 4)}
         gateway, other = ObservedGateway(info), ObservedGateway(info)
@@ -880,14 +878,14 @@ def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(d
         other.reset_before = 11 * seed
         writes = [host.request("W", 0x10, value) for value in range(200)]
         host.do(*writes)
-        # The host in Python goes on in a new session with what was never sent; the client has ended.
+        # The Python host sends the rest in a new session; the client has ended.
         ended = [OUTCOMES[outcome_of(write)] for write in writes]
         sent = [status for status in told if status != int(LOST_NOT_EXECUTED)]
         assert told[: len(sent)] == ended[: len(sent)] == sent
         assert {*ended[len(sent) :]} <= {0, int(LOST_NOT_EXECUTED)}
 
 
-def test_a_batch_costs_as_many_repetitions_as_that_of_the_host_in_python(driver: Path) -> None:
+def test_batch_costs_as_many_retransmissions_as_in_the_python_host(driver: Path) -> None:
     mine = reference = 0
     for seed in range(3):
         line, other = (LineOfASession(VirtualGateway(TWO_DIGITS), seed, flip=0.01) for _ in range(2))
@@ -902,7 +900,7 @@ def test_a_batch_costs_as_many_repetitions_as_that_of_the_host_in_python(driver:
     assert 0.8 < mine / reference < 1.2
 
 
-def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_come(driver: Path) -> None:
+def test_retransmission_begins_with_half_the_window_and_grows_with_answers(driver: Path) -> None:
     gateway, sizes = VirtualGateway(), list[int]()
 
     def losing_two(data: bytes, now: float) -> bytes:
@@ -913,7 +911,8 @@ def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_co
     with Simulated(driver, losing_two) as client:
         client.words("connect test: 5")
         assert client.words("rmany " + "10 " * 128) == [0] * 128
-        # Nothing came through between the losses; then some answers let one more be sent again beside the next.
+        # Two bursts are lost completely. After that, each `DONE_FOR_ONE_MORE` answers allow one more retransmission at
+        # a time.
         assert sizes[:2] == [128, 64]
         came = 0
         for size in sizes[2:]:
@@ -922,14 +921,14 @@ def test_half_of_what_was_lost_is_sent_again_at_first_and_the_rest_as_answers_co
         client.words("close")
 
 
-def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_sign_of_loss(driver: Path) -> None:
+def test_answered_requests_are_not_retransmitted_nor_taken_for_signs_of_loss(driver: Path) -> None:
     gateway, waiting, sent = ObservedGateway(), list[bytes](), list[bytes]()
 
     def one_by_one(data: bytes, now: float) -> bytes:
         sent.extend(re.findall(rb"r[^\n]*", data))
         answers = gateway.receive(data, now).splitlines(keepends=True)
         if len(sent) == 4:
-            # The answers to the first three are lost.
+            # The answers to the first three requests are lost.
             answers = answers[-1:]
         waiting.extend(answers)
         return waiting.pop(0) if waiting else b""
@@ -942,7 +941,7 @@ def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_s
         client.words("close")
 
 
-def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_damaged_answer(driver: Path) -> None:
+def test_each_damaged_answer_costs_one_retransmission_without_flow_control(driver: Path) -> None:
     info = GatewayInfo(features=Feature(0x7F) & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64)
     with Simulated(driver, Faulty(b"r", 3, info)) as client:
         client.words("connect test: 5")
@@ -955,7 +954,7 @@ def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_dama
 @pytest.mark.slow
 @pytest.mark.parametrize("flow_control", [True, False])
 @pytest.mark.parametrize("program", ["driver", "small_driver"])
-def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_line_loses(
+def test_posted_and_answered_writes_execute_once_and_in_order_on_a_bad_line(
     request: pytest.FixtureRequest, program: str, *, flow_control: bool
 ) -> None:
     features = Feature(0x7F) if flow_control else Feature(0x7F) & ~Feature.FLOW_CONTROL
@@ -976,7 +975,7 @@ def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_
         assert [word for _, word in gateway.bus_log.writes] == list(range(600))
 
 
-def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_a_hundred_without_waiting(driver: Path) -> None:
+def test_link_opens_without_timeouts_if_one_byte_in_a_hundred_is_damaged(driver: Path) -> None:
     took = []
     for seed in range(12):
         line = NoisyLine(VirtualGateway(), Noise(2 * seed, flip=0.01), Noise(2 * seed + 1, flip=0.01))
@@ -984,7 +983,7 @@ def test_a_link_is_opened_on_a_line_that_damages_one_byte_in_a_hundred_without_w
             client.words(f"connect test:{QUICK_TIMEOUT} 5")
             took.append(client.now)
             client("close")
-    # A round trip is a millisecond, and a try that nothing answers a hundred.
+    # A round trip takes a millisecond, and an attempt without an answer a hundred.
     assert statistics.median(took) < 0.02
     assert max(took) < 1
 
@@ -1006,7 +1005,7 @@ def test_an_opening_that_noise_has_drawn_out_does_not_have_later_losses_wait(dri
 
 
 def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(driver: Path) -> None:
-    # One answer at a time has room on the way back, so requests wait before the gateway.
+    # The way back has room for one answer at a time, so that requests wait before the gateway.
     built = {
         "features": Feature(0x7F) & ~Feature.FLOW_CONTROL,
         "receive_fifo_bytes": 64,
@@ -1052,14 +1051,14 @@ def test_a_gateway_that_goes_away_ends_the_calls(client: Driven) -> None:
 
 
 class FallingSilent:
-    """A gateway that answers no requests any more from an instant on; what it publishes goes on."""
+    """A gateway that stops answering requests at some instant, and continues to publish."""
 
     def __init__(self) -> None:
         self._gateway = VirtualGateway()
         self.is_silent = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is sent."""
+        """Return the bytes that the gateway sends."""
         return self._gateway.advance(now) if self.is_silent else self._gateway.receive(data, now)
 
 
@@ -1084,7 +1083,7 @@ def test_a_gateway_that_falls_silent_is_given_up_after_the_longest_silence(drive
 WAS_RESET = "the gateway was reset, which ends the link; the request is"
 
 
-def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver: Path) -> None:
+def test_gateway_reset_on_an_open_line_executes_no_write(driver: Path) -> None:
     gateway, losses = ObservedGateway(), iter([True])
 
     def losing_one(data: bytes, now: float) -> bytes:
@@ -1095,7 +1094,7 @@ def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver
         client.words("connect test: 5")
         for value in range(150):
             client.words(f"write 10 {value:X}")
-        # What was sent again then is answered, and leaves nothing in doubt.
+        # The retransmitted request was answered, so that its outcome is certain.
         assert client.words("statistics")[2] == 1
         gateway.reset()
         for value in range(1, 95):
@@ -1109,7 +1108,7 @@ def test_no_write_is_done_by_a_gateway_that_was_reset_behind_an_open_line(driver
         client.words("close")
 
 
-def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(driver: Path) -> None:
+def test_write_retransmitted_to_a_reset_gateway_is_perhaps_executed(driver: Path) -> None:
     gateway = ObservedGateway()
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1126,7 +1125,7 @@ def test_a_write_that_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_pe
         client.words("close")
 
 
-def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(driver: Path) -> None:
+def test_fence_reports_posted_writes_that_a_reset_gateway_did_not_execute(driver: Path) -> None:
     gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1139,7 +1138,7 @@ def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(dr
         assert gateway.bus_log.writes == []
 
 
-def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error(driver: Path) -> None:
+def test_posted_writes_continue_if_every_fence_gets_an_error(driver: Path) -> None:
     gateway = Uncounting(TWO_DIGITS)
     bus = RecordedBus(gateway)
     with Simulated(driver, gateway.receive) as client:
@@ -1151,7 +1150,7 @@ def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error(driver: Pa
     assert bus.writes == [(0x10, value) for value in range(400)]
 
 
-def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(driver: Path) -> None:
+def test_reported_outcomes_of_writes_at_a_reset_are_true_on_bad_lines(driver: Path) -> None:
     statuses: Counter[int] = Counter()
     for seed in range(60):
         gateway = ObservedGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
@@ -1172,8 +1171,8 @@ def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(drive
 
 
 def test_every_write_is_executed_once_or_reported_whatever_a_gateway_answers(driver: Path) -> None:
-    worlds = [random_answers.play(driver, seed) for seed in range(4, 12)]
-    statuses = {status for world in worlds for status in world.writes}
+    scenarios = [random_answers.play(driver, seed) for seed in range(4, 12)]
+    statuses = {status for scenario in scenarios for status in scenario.writes}
     assert {"posted", "0", LOST.strip(), LOST_NOT_EXECUTED.strip()} <= statuses
 
 
@@ -1184,7 +1183,7 @@ def test_every_write_is_executed_once_or_reported_for_twenty_minutes(driver: Pat
         random_answers.play(driver, next(seeds))
 
 
-def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(driver: Path) -> None:
+def test_later_answer_proves_that_a_request_with_a_lost_answer_was_executed(driver: Path) -> None:
     gateway = ObservedGateway()
     lost = 0
 
@@ -1204,7 +1203,7 @@ def test_a_request_whose_answer_was_lost_is_known_to_be_executed_by_a_later_one(
         client("close")
 
 
-def test_what_came_before_the_request_that_met_a_reset_gateway_is_perhaps_executed(driver: Path) -> None:
+def test_unanswered_request_before_a_reset_is_perhaps_executed(driver: Path) -> None:
     gateway = ObservedGateway()
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1219,7 +1218,7 @@ def test_what_came_before_the_request_that_met_a_reset_gateway_is_perhaps_execut
         client("close")
 
 
-def test_samples_stop_with_a_reset_which_is_told_soon_and_come_again_on_a_new_link(driver: Path) -> None:
+def test_samples_stop_at_a_reset_which_is_reported_and_resume_on_a_new_link(driver: Path) -> None:
     gateway = ObservedGateway(GatewayInfo(groups=2))
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1234,7 +1233,7 @@ def test_samples_stop_with_a_reset_which_is_told_soon_and_come_again_on_a_new_li
         client.words("close")
         client.words("connect test: 5")
         client.words("write 11 5")
-        # This one takes the group that the other had, and has the other take another.
+        # This subscription takes the group that the other one had, and the other one gets a new group.
         client.words("subscribe 1 100 - 11")
         client.words("again 0")
         assert client("next 0 1") == "0 0 0 0x0p+0 0"
@@ -1242,7 +1241,7 @@ def test_samples_stop_with_a_reset_which_is_told_soon_and_come_again_on_a_new_li
         client.words("close")
 
 
-def test_samples_of_those_who_had_the_group_before_are_never_delivered(driver: Path) -> None:
+def test_samples_of_the_previous_user_of_a_group_are_never_delivered(driver: Path) -> None:
     gateway, unknown = VirtualGateway(GatewayInfo(groups=1)), Framing(Crc()).checked(b"J")
 
     def not_stopping(data: bytes, now: float) -> bytes:
@@ -1260,7 +1259,7 @@ def test_samples_of_those_who_had_the_group_before_are_never_delivered(driver: P
         client.words("close")
 
 
-def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
+def test_each_session_has_a_different_number(driver: Path) -> None:
     gateway = ObservedGateway()
     with Simulated(driver, gateway.receive) as client:
         for _ in range(40):
@@ -1278,7 +1277,7 @@ def test_each_session_begins_with_a_number_of_its_own(driver: Path) -> None:
     assert len(seeded) > 15
 
 
-def test_requests_wait_for_the_answer_to_the_start_of_their_own_session(driver: Path) -> None:
+def test_requests_wait_for_the_answer_that_begins_their_session(driver: Path) -> None:
     gateway = ObservedGateway()
     late: list[bytes] = []
 
@@ -1317,9 +1316,7 @@ def test_ids_go_round_their_ring_in_sessions_of_either_width(driver: Path) -> No
 
 
 @pytest.mark.parametrize("version", ["01", "02"])
-def test_a_gateway_of_another_version_is_named_with_what_to_do_and_sent_nothing_more(
-    driver: Path, version: str
-) -> None:
+def test_gateway_of_another_version_is_reported_with_a_remedy_and_left_alone(driver: Path, version: str) -> None:
     gateway = ObservedGateway()
     with Simulated(
         driver, lambda data, now: gateway.receive(data, now).replace(b"Q03", f"Q{version}".encode())
@@ -1332,7 +1329,7 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do_and_sent_nothing_
 
 
 def reporting(reported: bytes) -> Callable[[bytes, float], bytes]:
-    """Return a gateway that says other things of itself than it does."""
+    """Return a gateway that reports another configuration than its own."""
     gateway, check, told = VirtualGateway(), Framing(Crc()).checked, GatewayInfo().to_hex()
 
     def receive(data: bytes, now: float) -> bytes:
@@ -1374,7 +1371,7 @@ def test_a_gateway_without_groups_may_have_no_base_frequency(driver: Path) -> No
         client("close")
 
 
-def test_a_version_that_is_damaged_on_the_way_twice_in_the_same_words_is_asked_for_again(driver: Path) -> None:
+def test_version_damaged_twice_in_the_same_way_is_requested_again(driver: Path) -> None:
     gateway, damaged = VirtualGateway(), [b"Q02"] * 2
 
     def damaging(data: bytes, now: float) -> bytes:
@@ -1386,7 +1383,7 @@ def test_a_version_that_is_damaged_on_the_way_twice_in_the_same_words_is_asked_f
         client.words("close")
 
 
-def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(driver: Path) -> None:
+def test_half_duplex_medium_carries_one_answered_request_at_a_time(driver: Path) -> None:
     gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
     with Simulated(driver, gateway.receive) as client:
         client.words("connect test: 5")
@@ -1423,7 +1420,7 @@ def test_an_error_that_the_protocol_does_not_have_is_an_error_of_the_gateway(dri
 TAKEN = "another program has begun a session with the gateway, and this one's is over: let both use it through"
 
 
-def test_another_program_that_begins_a_session_ends_the_link_with_what_to_do_and_it_does_not_take_the_line_back(
+def test_session_of_another_program_ends_the_link_which_does_not_retake_it(
     driver: Path,
 ) -> None:
     gateway = ObservedGateway()
@@ -1440,7 +1437,7 @@ def test_another_program_that_begins_a_session_ends_the_link_with_what_to_do_and
     assert len([frame for frame in gateway.heard if frame.startswith("K4004321")]) == 1
 
 
-def test_a_session_of_another_program_is_found_where_the_answer_to_the_question_is_lost_as_well(driver: Path) -> None:
+def test_session_of_another_program_is_detected_if_the_query_is_lost_too(driver: Path) -> None:
     gateway, lost = ObservedGateway(), iter([True] * 3)
 
     def losing(data: bytes, now: float) -> bytes:
@@ -1457,7 +1454,7 @@ def test_a_session_of_another_program_is_found_where_the_answer_to_the_question_
 
 
 @pytest.mark.parametrize("lost", [rb"x[^\n]*\n", rb"(x|h)[^\n]*\n"], ids=["errors", "errors and fences"])
-def test_a_post_that_failed_is_told_by_the_fence_also_where_its_error_was_lost(driver: Path, lost: bytes) -> None:
+def test_fence_reports_a_failed_posted_write_even_if_its_error_was_lost(driver: Path, lost: bytes) -> None:
     gateway, losses = ObservedGateway(), iter([True] * 2)
     gateway.detach([0x89])
     gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [0x89])
@@ -1495,7 +1492,7 @@ def test_a_write_that_failed_and_of_which_the_error_was_lost_is_an_error(driver:
 @pytest.mark.parametrize(
     ("flip", "counts"), [(0.004, (1, 3, 7, 40)), (0.0004, (255, 1, 100, 254))], ids=["few", "many"]
 )
-def test_no_event_of_a_queue_is_lost_or_given_twice_whatever_the_line_loses(
+def test_no_event_of_a_queue_is_lost_or_doubled_on_a_bad_line(
     driver: Path, flip: float, counts: tuple[int, ...]
 ) -> None:
     info = GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)
@@ -1513,7 +1510,7 @@ def test_no_event_of_a_queue_is_lost_or_given_twice_whatever_the_line_loses(
         assert taken == list(range(len(taken)))
 
 
-def test_plain_answers_and_those_of_another_session_are_never_taken(driver: Path) -> None:
+def test_plain_answers_and_those_of_another_session_are_ignored(driver: Path) -> None:
     gateway, checked = ObservedGateway(), Framing(Crc()).checked
     wrong: list[Callable[[bytes], bytes]] = [
         lambda number: b"r%b0000BAD0\r\n" % number,
@@ -1564,7 +1561,7 @@ def test_samples_lost_on_the_way_and_in_the_storage_are_counted(client: Driven) 
         seen = [client("next 0 5").split()[1:3] for _ in range(5)]
         assert seen == [["0", "0"], ["1", "0"], ["4", "2"], ["6", "1"], ["7", "0"]]
         assert client.words("lost 0") == [3]
-        # The storage of this client holds 8.
+        # The storage of this client has room for 8 samples.
         for _ in range(11):
             client.words("publish 0")
         assert client("next 0 5").split()[1:3] == ["11", "3"]
@@ -1639,14 +1636,14 @@ def test_a_subscription_that_cannot_be_is_refused(client: Driven) -> None:
 
 
 class Hearing:
-    """A gateway that keeps the flags and divisors that groups were asked for with."""
+    """A gateway that stores the flags and divisors of configured groups."""
 
     def __init__(self) -> None:
         self._gateway = VirtualGateway()
         self.schedules: list[tuple[int, int]] = []
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Return the bytes that arrive."""
         for flags, divisor in re.findall(rb"gs.{5}(..)(....)", data):
             self.schedules.append((int(flags, 16), int(divisor, 16)))
         return self._gateway.receive(data, now)
@@ -1676,7 +1673,7 @@ def test_the_same_structure_subscribes_the_same_again_also_on_another_link(
         client.words("close")
 
 
-def test_what_a_subscription_was_before_or_could_not_be_does_not_count_when_it_is_asked_for_anew(driver: Path) -> None:
+def test_old_or_refused_settings_of_a_subscription_do_not_affect_a_new_one(driver: Path) -> None:
     gateway = Hearing()
     with Simulated(driver, gateway) as client:
         client.words("connect test: 5")
@@ -1685,14 +1682,14 @@ def test_what_a_subscription_was_before_or_could_not_be_does_not_count_when_it_i
             client.words(f"rate 0 {rate}")
             client.words("again 0")
             client.words("unsubscribe 0")
-        # Refused for its address, when its rate had been found good.
+        # The address is refused after the rate was accepted.
         assert client("subscribe 0 100 - 100").startswith(BAD_ARGUMENT)
         client.words("subscribe 0 0 - 10")
         assert gateway.schedules == [(0, 1), (PERIODIC, 1000), (PERIODIC, 100), (0, 1), (0, 1)]
         client.words("close")
 
 
-def test_samples_that_wait_are_still_there_when_a_new_subscription_was_refused(client: Driven) -> None:
+def test_queued_samples_survive_a_refused_new_subscription(client: Driven) -> None:
     with simulate("tcp") as url:
         client.words(f"connect {url} 5")
         client.words("subscribe 0 0 - 10")
@@ -1711,7 +1708,7 @@ def test_samples_that_wait_are_still_there_when_a_new_subscription_was_refused(c
 
 
 def takes_number(signal: Signal, value: float) -> bool:
-    """Return whether the type in C has a number, be it one that the signal refuses."""
+    """Return True if the type in C can represent a number, even if the signal refuses it."""
     if signal.kind.is_float:
         return True
     low, high = (-(2**63), 2**63) if signal.kind.is_signed else (0, 2**64)
@@ -1728,7 +1725,7 @@ def c_value(signal: Signal, value: Value) -> str:
 
 
 def accessor(signal: Signal) -> tuple[str, str, str]:
-    """Return type, printf format and name of the functions of a signal of `every_kind`."""
+    """Return the type, printf format and function name for a signal of `every_kind`."""
     if signal.kind.is_float:
         return "double", "%a", "ul_{}_real"
     if signal.kind.name is KindName.BOOL:
@@ -1741,7 +1738,7 @@ def accessor(signal: Signal) -> tuple[str, str, str]:
 
 
 def step(signal: Signal, expression: str, value: Value) -> str:
-    """Write C that sets a signal, and prints the status, its words on the bus, and the value that is read back."""
+    """Return C code that sets a signal, and prints the status, the words on the bus, and the value read back."""
     kind, form, function = accessor(signal)
     return (
         f"{{ {kind} value = {c_value(signal, value)}; uint64_t words[8];\n"
@@ -1798,9 +1795,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_a_group_that_is_subscribed_already_is_refused_and_goes_on_as_do_the_others(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_second_subscription_to_a_group_is_refused_and_the_first_goes_on(runtime: list[Path], tmp_path: Path) -> None:
     spec = compile_text(
         "group first(1, TRIGGER); group second(2, TRIGGER);\n"
         "public feeder() { @a = 1: READ(PUBLISH(first)); @b = 2: READ(PUBLISH(second)); }\n"
@@ -1845,9 +1840,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_a_subscription_is_ended_by_its_own_link_alone_and_goes_on_where_another_refuses_that(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_only_the_link_of_a_subscription_can_end_it(runtime: list[Path], tmp_path: Path) -> None:
     (tmp_path / "program.c").write_text(TWO_LINKS)
     objects = compiled(C, [tmp_path / "program.c"], tmp_path, *SANITIZED, f"-I{runtime[0].parent}")
     program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
@@ -1874,9 +1867,7 @@ int main(int count, char **arguments) {
 """
 
 
-def test_a_group_with_a_rate_that_another_gateway_does_not_reach_is_refused_there(
-    runtime: list[Path], tmp_path: Path
-) -> None:
+def test_group_with_a_rate_beyond_the_gateways_range_is_refused(runtime: list[Path], tmp_path: Path) -> None:
     spec = compile_text(
         "group slow(RATE=5); group fast(RATE=300000);\n"
         "public feeder() { @a = 1: READ(PUBLISH(slow)); @b = 2: READ(PUBLISH(fast)); }\n"
@@ -1911,7 +1902,7 @@ int main(int count, char **arguments) {
 
 
 @pytest.mark.slow
-def test_signals_of_another_map_are_refused_before_anything_is_sent_unless_that_is_wanted(
+def test_signals_of_another_map_are_refused_before_writes_unless_map_is_any(
     runtime: list[Path], tmp_path: Path
 ) -> None:
     spec = compile_file(EXAMPLES / "scara.ul")
@@ -1945,7 +1936,7 @@ def test_limits_that_no_double_holds_are_kept_exactly(runtime: list[Path], tmp_p
         assert (int(held) == value) == is_taken, (name, value)
 
 
-def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], tmp_path: Path) -> None:
+def test_refused_number_and_its_limits_are_reported_exactly(runtime: list[Path], tmp_path: Path) -> None:
     calls = [
         ("unsigned", "a", "UINT64_MAX", "a: 18446744073709551615 is outside of 0 to 18446744073709551614"),
         (
@@ -1973,7 +1964,7 @@ def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], t
 
 @pytest.mark.slow
 @pytest.mark.parametrize("word_bits", WORD_BITS)
-def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(
+def test_values_of_every_kind_are_encoded_and_decoded_as_in_python(
     word_bits: int, runtime: list[Path], tmp_path: Path
 ) -> None:
     spec = every_kind(word_bits)

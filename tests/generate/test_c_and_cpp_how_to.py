@@ -1,4 +1,4 @@
-"""The programs of docs/how-to/c-and-cpp.md compile, run, and print what stands below them."""
+"""The programs of docs/how-to/c-and-cpp.md compile and run, and print the text below them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def arm(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("language", "compiler"), [("c", C), ("cpp", CPP)])
-def test_the_program_prints_what_the_page_says(
+def test_program_prints_the_output_on_the_page(
     language: str, compiler: tuple[str, ...], arm: list[Path], tmp_path: Path
 ) -> None:
     source = tmp_path / f"arm.{language}"
@@ -46,12 +46,12 @@ def test_the_program_prints_what_the_page_says(
     with simulate("tcp", "--robot", "scara") as url:
         printed = output(program, url)
     expected = blocks("text")[0 if language == "c" else -1]
-    # The sample in which the joint has passed its mark depends on the machine.
+    # The machine determines in which sample the joint has passed 29.9; accept values around it.
     assert re.sub(r"\b(29\.9\d*|30(\.\d+)?)\b", "29.9", printed) == expected
 
 
 @pytest.mark.slow
-def test_the_functions_of_the_page_do_what_it_says(arm: list[Path], tmp_path: Path) -> None:
+def test_functions_on_the_page_work_as_described(arm: list[Path], tmp_path: Path) -> None:
     whole, *parts = blocks("c")
     head = whole[: whole.index("int main")]
     main = (

@@ -1,4 +1,4 @@
-"""The generated client in C cuts frames of both forms as the page says, and uses text on lines that change bytes."""
+"""The generated client in C reads frames of both forms as the page defines, and uses text if a line changes bytes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ WORDS = [0x00111300, 0xFFFFFFFF, 0xB5CAD30A, 0x0D800011]
 
 @pytest.fixture(scope="module")
 def expanding(runtime: list[Path]) -> Path:
-    """Return a program that prints the text that the client makes of bytes."""
+    """Return a program that prints the text frames which the client makes of received bytes."""
     folder = runtime[0].parent
     options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
     subprocess.run([*C, *options, HERE / "expanding.c", "-o", folder / "expanding"], check=True, timeout=PATIENCE)
@@ -38,7 +38,7 @@ def expanding(runtime: list[Path]) -> Path:
 
 
 def texts(program: Path, cases: Iterable[tuple[Widths, int, bytes]]) -> list[list[bytes]]:
-    """Return the lines that the client makes of bytes of a gateway, so many at a time, for each case."""
+    """Return, for each case, the lines that the client makes of a gateway's bytes, read `size` bytes at a time."""
     words = [
         f"{widths.id_digits} {widths.crc_digits} {widths.address_digits} {-1 if widths.node is None else widths.node} "
         f"{size} {data.hex().upper()}\n"
@@ -51,7 +51,9 @@ def texts(program: Path, cases: Iterable[tuple[Widths, int, bytes]]) -> list[lis
 
 @pytest.mark.parametrize("amount", [2_000, pytest.param(25_000, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("widths", HOSTS, ids=str)
-def test_cut_and_mixed_frames_become_the_lines_that_the_page_says(expanding: Path, widths: Widths, amount: int) -> None:
+def test_cut_and_mixed_frames_become_the_lines_that_the_page_defines(
+    expanding: Path, widths: Widths, amount: int
+) -> None:
     draw = random.Random(1)
     sent = [b"".join(from_a_gateway(widths, seed)) for seed in range(amount // FRAMES)]
     found = texts(expanding, [(widths, draw.choice([1, 2, 7, 100, 5000]), data) for data in sent])
@@ -93,7 +95,7 @@ def test_a_link_uses_text_or_ends_with_a_sentence_within_its_time_out(
 
 
 @pytest.mark.parametrize("name", ["seven bits", "NUL taken out"])
-def test_at_a_real_port_a_link_uses_text(client: Driven, name: str) -> None:
+def test_link_on_a_real_port_uses_text(client: Driven, name: str) -> None:
     with on_a_port(ChangedLine(simulated(features=FEATURES), LINES[name]), "tcp") as url:
         client.words(f"connect {url} 5")
         client.words(f"write 1 {WORDS[0]:X}")

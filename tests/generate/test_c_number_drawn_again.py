@@ -1,4 +1,4 @@
-"""The generated client in C proves after an idle second that the session under way is its own, as Python does."""
+"""After an idle second, the generated client in C proves that the session is its own, as the Python host does."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ TEXT = GatewayInfo(id_digits=2)
 
 
 class Line:
-    """A client on simulated time, its gateway, and the frames that it sends."""
+    """A client on simulated time, its gateway, and the frames that the client sends."""
 
     def __init__(self, driver: Path, info: GatewayInfo = TEXT, *, echoes: bool = False) -> None:
         self.gateway = VirtualGateway(info)
         self.bus = RecordedBus(self.gateway)
         self.sent: list[bytes] = []
         self.lost: set[int] = set()
-        """Frames of both directions that are lost, counted from 0."""
+        """Numbers of the frames that are lost, counted from 0 over both directions."""
         self._count = 0
         self._echoes = echoes
         self.client = Simulated(driver, self._carry)
@@ -61,7 +61,7 @@ class Line:
         self.forget()
 
     def draw_again(self, ahead: int) -> None:
-        """Have another program begin a session of the same number, whose next ID is so far ahead of the client's."""
+        """Begin another session with the same number, whose next ID is `ahead` of the client's."""
         number, expected = self.gateway.session, self.gateway.expected
         self.gateway.begin(number % 100 + 1, 0)
         self.gateway.begin(number, expected + ahead & RING - 1)
@@ -108,7 +108,7 @@ def test_an_idle_client_sends_its_next_request_after_one_exchange(driver: Path, 
 
 
 @pytest.mark.parametrize("lost", range(1, 1 << 6, 3))
-def test_a_proof_of_the_client_goes_on_whichever_of_its_frames_are_lost(driver: Path, lost: int) -> None:
+def test_proof_of_a_session_succeeds_whichever_of_its_frames_are_lost(driver: Path, lost: int) -> None:
     line = Line(driver)
     with line.client:
         line.idle()
@@ -140,7 +140,7 @@ def test_a_client_leaves_a_gateway_that_never_answers_n(driver: Path) -> None:
 
 
 @pytest.mark.parametrize("number_is_drawn_again", [False, True])
-def test_on_a_pair_of_wires_the_client_sends_one_frame_at_a_time(driver: Path, *, number_is_drawn_again: bool) -> None:
+def test_client_on_a_pair_of_wires_sends_one_frame_at_a_time(driver: Path, *, number_is_drawn_again: bool) -> None:
     line = Line(driver, PAIR)
     with line.client:
         line.idle()

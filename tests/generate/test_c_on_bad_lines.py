@@ -1,4 +1,4 @@
-"""The generated client in C tells the cause of garbage, echoes and losses on its line, and is never held up by them."""
+"""The generated client in C reports the cause of garbage, echoes and losses on its line, and never hangs."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ LOST, NO_CONNECTION = "32 ", "36 "
 
 
 class Replaced:
-    """A gateway whose answers are replaced by something else from an instant on.
+    """A gateway whose answers are replaced by other bytes from some instant on.
 
     Args:
-        heard: what comes each time that the client waits.
+        heard: the bytes that arrive each time the client waits.
     """
 
     def __init__(self, heard: bytes) -> None:
@@ -41,7 +41,7 @@ class Replaced:
         self.is_replaced = False
 
     def __call__(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what is sent."""
+        """Return the bytes that arrive."""
         return self._heard if self.is_replaced else self._gateway.receive(data, now)
 
 
@@ -66,7 +66,7 @@ def test_a_port_that_another_program_has_changed_is_set_again_and_counted(client
     ("kind", "request_"),
     [*((kind, "read 10") for kind in FLOODS), ("empty lines", "write 10 1"), ("damaged lines", "fence")],
 )
-def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(driver: Path, kind: str, request_: str) -> None:
+def test_line_full_of_garbage_is_reported_within_two_seconds(driver: Path, kind: str, request_: str) -> None:
     gateway = Replaced(FLOODS[kind])
     with Simulated(driver, gateway, latency=0.01) as client:
         client.words("connect test: 5")
@@ -81,7 +81,7 @@ def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(driver: 
         client("close")
 
 
-def test_noise_while_nothing_is_asked_for_ends_no_link(driver: Path) -> None:
+def test_noise_on_an_idle_line_ends_no_link(driver: Path) -> None:
     gateway = VirtualGateway()
 
     def noisy(data: bytes, now: float) -> bytes:
@@ -98,13 +98,13 @@ def test_noise_while_nothing_is_asked_for_ends_no_link(driver: Path) -> None:
 
 
 MOST_TAKEN = 16 * 2 * 4160
-"""Bytes between two looks at the clock: as many reads as there may be, into the whole buffer."""
+"""Most bytes between two checks of the clock: the largest number of reads, each of a full buffer."""
 ENDLESS = {"empty lines": b"\n", "carriage returns": b"\r", "empty plain lines": b"\r\n", "letters": b"PrXn"}
 
 
 @pytest.fixture(scope="module")
 def endless(runtime: list[Path]) -> Path:
-    """Return a program whose medium has always more, however much it takes."""
+    """Return a program whose medium always has more bytes, however many the program reads."""
     folder = runtime[0].parent
     options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
     subprocess.run([*C, *options, HERE / "endless.c", "-o", folder / "endless"], check=True, timeout=PATIENCE)
@@ -113,7 +113,7 @@ def endless(runtime: list[Path]) -> Path:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ENDLESS)
-def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless: Path, kind: str) -> None:
+def test_flood_of_bytes_delays_no_call_beyond_its_time_out(endless: Path, kind: str) -> None:
     calls = [line.split() for line in output(endless, ENDLESS[kind].hex().upper()).splitlines()]
     status = {name: int(number) for name, number, _, _ in calls}
     assert status == {"open": 36, "stuck": 36, "poll": 0, "next": 39, "await": 39, "read": 32, "close": 0}
@@ -127,7 +127,7 @@ def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless
 
 
 def echoing(gateway: Callable[[bytes, float], bytes]) -> Callable[[bytes, float], bytes]:
-    """Return a gateway behind an adapter that hears itself."""
+    """Return a gateway on an adapter that receives its own bytes."""
     return lambda data, now: data + gateway(data, now)
 
 
@@ -146,7 +146,7 @@ def test_an_adapter_that_echoes_is_passed_over(driver: Path) -> None:
         client.words("close")
 
 
-def test_a_gateway_that_falls_silent_behind_an_echo_is_lost_in_the_usual_time(driver: Path) -> None:
+def test_silent_gateway_on_an_echoing_line_is_lost_in_the_usual_time(driver: Path) -> None:
     gateway, is_silent = VirtualGateway(), False
 
     def silent(data: bytes, now: float) -> bytes:
@@ -161,13 +161,13 @@ def test_a_gateway_that_falls_silent_behind_an_echo_is_lost_in_the_usual_time(dr
         client("close")
 
 
-def test_a_port_whose_tx_is_wired_to_its_rx_is_named_when_no_answer_follows_the_echo(driver: Path) -> None:
+def test_port_with_tx_wired_to_rx_is_reported_if_no_answer_follows_the_echo(driver: Path) -> None:
     with Simulated(driver, lambda data, now: data) as client:
         assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO}"
         assert ECHO_PATIENCE < client.now < 2 * ECHO_PATIENCE
 
 
-def test_a_question_that_came_back_once_is_no_echo(driver: Path) -> None:
+def test_query_that_returned_once_is_no_echo(driver: Path) -> None:
     gateway, times = VirtualGateway(), itertools.count()
 
     def once(data: bytes, now: float) -> bytes:
@@ -190,7 +190,7 @@ def test_a_line_that_changes_cr_or_lf_is_named(driver: Path, name: str, directio
 # Losses
 
 
-def test_a_line_that_loses_is_named_and_not_its_speed_where_some_questions_were_answered(driver: Path) -> None:
+def test_losses_and_not_the_speed_are_reported_if_some_queries_were_answered(driver: Path) -> None:
     gateway, answered = VirtualGateway(), itertools.count()
 
     def silent_from_the_second_on(data: bytes, now: float) -> bytes:
@@ -203,7 +203,7 @@ def test_a_line_that_loses_is_named_and_not_its_speed_where_some_questions_were_
     assert told.endswith(" questions: what is sent or answered is lost or damaged on the way")
 
 
-def test_a_session_that_does_not_begin_is_told_with_what_was_answered_before(driver: Path) -> None:
+def test_session_that_does_not_begin_is_reported_with_earlier_answers(driver: Path) -> None:
     gateway = VirtualGateway()
     with Simulated(driver, lambda data, now: b"" if b"K" in data else gateway.receive(data, now)) as client:
         told = client("connect test: 1")
@@ -211,7 +211,7 @@ def test_a_session_that_does_not_begin_is_told_with_what_was_answered_before(dri
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds(driver: Path, seed: int) -> None:
+def test_link_opens_within_five_seconds_if_one_frame_in_five_is_lost(driver: Path, seed: int) -> None:
     gateway = VirtualGateway()
     towards, back = (Straying[bytes](seed + place, loss=0.2) for place in (0, 100))
 
@@ -227,7 +227,7 @@ def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds
 
 @pytest.mark.parametrize("amount", [2_000, pytest.param(100_000, marks=pytest.mark.campaign)])
 @pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"])
-def test_no_event_of_a_queue_or_a_register_that_a_read_clears_is_lost_where_bytes_are_damaged(
+def test_damaged_bytes_lose_no_event_of_a_queue_or_a_clear_on_read_register(
     driver: Path, amount: int, *, compact: bool
 ) -> None:
     gateway, draw, cleared = simulated(**(COMPACT if compact else SLOW)), random.Random(4), Cleared()

@@ -1,4 +1,4 @@
-"""The client in C over networks that carry only short packets."""
+"""The client in C on networks that carry only short packets."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ async def test_the_client_in_c_finds_how_long_packets_may_be(driver: Path, mtu: 
             client.words(f"wblock 0 {in_words(WORDS)}")
             assert client.words(f"rblock 0 {len(WORDS):X}") == WORDS
             assert len(towards.dropped) == tried
-            # The answers to what is repeated come in one datagram with the first ones.
+            # The answers to retransmissions come in one datagram with the first answers.
             assert not back.dropped or client.words("statistics")[2]
             group = client(f"subscribe 0 100 - {in_words([*range(100)])}")
             assert group == "0" if mtu > 576 else group.startswith("38 ") and "packets of the network (mtu=)" in group

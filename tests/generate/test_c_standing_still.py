@@ -1,4 +1,4 @@
-"""A client in C counts and dates samples as they were taken, also those that waited while its program stood still."""
+"""A client in C numbers and dates samples right, also samples that waited while its program was suspended."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     divisor=st.integers(100, 3000),
 )
 @settings(max_examples=examples(30), deadline=None)
-def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_host_stood_still(
+def test_samples_keep_their_numbers_and_times_if_the_host_was_suspended(
     program: Path, reads: list[tuple[float, int, str]], clock_hz: int, divisor: int, began: int, seed: int
 ) -> None:
     arrivals = arrivals_of(reads, clock_hz, [divisor], began, seed)

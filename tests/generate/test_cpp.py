@@ -75,14 +75,14 @@ joint(): @(base) {
 
 @pytest.fixture(scope="session")
 def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """The C below the walker, compiled once, beside its headers."""
+    """Compile the C files of the walker once; return the objects, with the headers in the same folder."""
     directory = tmp_path_factory.mktemp("walker")
     files = generated("cpp", WALKER, directory)
     return compiled(C, [path for path in files if path.suffix == ".c"], directory, *SANITIZED)
 
 
 def program(body: str, objects: list[Path]) -> Path:
-    """Compile the body of a program that has the walker as `robot`; the same body only once."""
+    """Compile a program whose body uses the walker as `robot`; compile each body only once."""
     directory = objects[0].parent
     source = directory / f"program_{hashlib.sha256(body.encode()).hexdigest()[:16]}.cc"
     made = source.with_suffix("")
@@ -204,7 +204,7 @@ def cpp_value(signal: Signal, value: Value) -> str:
     return f"std::{'int' if signal.kind.is_signed else 'uint'}64_t(UINT64_C({int(value) % 2**64}))"
 
 
-def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(tmp_path: Path) -> None:
+def test_values_of_every_kind_are_encoded_and_decoded_as_in_python(tmp_path: Path) -> None:
     spec = every_kind(16)
     steps, expected = [], []
     for signal, value in written(spec.interface()):
@@ -271,7 +271,7 @@ def test_limits_that_no_double_holds_are_kept_exactly(tmp_path: Path) -> None:
         "robot.mode.take(2);",
     ],
 )
-def test_the_compiler_refuses_what_makes_no_sense(wrong: str, runtime: list[Path], tmp_path: Path) -> None:
+def test_compiler_refuses_invalid_uses(wrong: str, runtime: list[Path], tmp_path: Path) -> None:
     source = tmp_path / "program.cc"
     source.write_text(f'#include "walker.hpp"\nvoid use(Walker &robot) {{ {wrong} }}\n')
     command = [*CPP, "-fsyntax-only", f"-I{runtime[0].parent}", str(source)]
@@ -332,7 +332,7 @@ def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
 
 
 @pytest.mark.slow
-def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
+def test_lost_answers_are_repeated_with_their_old_values(runtime: list[Path]) -> None:
     body = """
     CHECK(link.write_masked(0x10, 1, 1) == 0);      // the word as it was before is given again
     CHECK(link.read(0x10) == 1);
@@ -352,7 +352,7 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
 
 
 @pytest.mark.slow
-def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
+def test_gateway_that_rejects_every_request_is_an_error_and_then_lost(runtime: list[Path]) -> None:
     body = """
     std::uint64_t word = 0;
     {
@@ -375,7 +375,7 @@ def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: 
 
 
 @pytest.mark.slow
-def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> None:
+def test_unanswered_call_reports_its_outcome(runtime: list[Path]) -> None:
     body = """
     std::cout << "ready" << std::endl;
     std::cin.get();
@@ -485,7 +485,7 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
 
 
 @pytest.mark.slow
-def test_a_callback_may_end_its_own_subscription_and_then_throw(runtime: list[Path]) -> None:
+def test_callback_may_end_its_subscription_and_then_throw(runtime: list[Path]) -> None:
     body = """
     std::unique_ptr<unity_link::Subscription> once;
     int calls = 0;
@@ -510,7 +510,7 @@ def test_a_spec_for_words_of_another_width_is_noticed(runtime: list[Path]) -> No
 
 
 @pytest.mark.slow
-def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_is_known(runtime: list[Path]) -> None:
+def test_gateway_of_another_map_is_refused_before_writes_unless_map_is_any(runtime: list[Path]) -> None:
     fingerprint = WALKER.interface().fingerprint
     body = f"""
     THROWS(UnsupportedError, link.check_map(0xCAFE, "walker"));

@@ -1,4 +1,4 @@
-"""The pages of a register map: whole, well-formed, in need of nothing, and with everything that the spec says."""
+"""The pages of a register map: complete, well-formed, self-contained, and with all contents of the spec."""
 
 # ruff: noqa: RUF001  (the pages have the signs of mathematics)
 
@@ -56,7 +56,7 @@ VOID = {"meta", "input", "col"}
 
 
 class Checker(HTMLParser):
-    """Reads a page, and sees that each element that is opened is closed."""
+    """Parses a page, and checks that each opened element is closed."""
 
     def __init__(self, page: str) -> None:
         super().__init__()
@@ -97,7 +97,7 @@ def pages(spec: Spec) -> tuple[str, str]:
 
 
 def check(spec: Spec) -> None:
-    """See that the pages of a spec are well-formed and have all signals with their addresses."""
+    """Check that the pages of a spec are well-formed, and have all signals with their addresses."""
     html, text = pages(spec)
     checker = Checker(html)
     assert checker.sources == []
@@ -142,13 +142,13 @@ def test_the_paper_s_figure_has_its_four_joints() -> None:
         assert f"### j{joint}\n\njoint(name = joint {joint})" in text
 
 
-def test_what_the_author_wrote_cannot_break_the_page() -> None:
+def test_texts_of_a_spec_cannot_break_the_page() -> None:
     html, text = pages(compile_text(FIELDS))
     assert "A robot of &lt;all&gt; &amp; &#34;sundry&#34; | kinds." in html
     assert "How it \\<moves\\> \\| or not." in text
 
 
-def test_a_signal_has_all_that_is_said_of_it() -> None:
+def test_page_has_every_property_of_a_signal() -> None:
     html, text = pages(compile_text(FIELDS))
     (row,) = (line for line in text.splitlines() if line.startswith("| `008`"))
     assert row == (
@@ -160,7 +160,7 @@ def test_a_signal_has_all_that_is_said_of_it() -> None:
     assert "1 × 10⁻⁵ × number − 2.5" in Checker(html).cells[Checker(html).cells.index("speed") + 3]
 
 
-def test_fields_are_drawn_and_what_is_read_and_written_apart_where_they_differ() -> None:
+def test_fields_are_drawn_with_separate_lanes_if_read_and_write_differ() -> None:
     page = Page(compile_text(FIELDS).interface())
     shared, differing, narrow = page.parts[0].words
     assert [(field.high, field.low, field.signal and field.signal.name) for field in shared.lanes[0][1]] == [

@@ -1,7 +1,7 @@
-"""Signals with an effect in generated clients: no event is lost with an answer, and no write touches a neighbour.
+"""Signals with an effect in generated clients: no event is lost with an answer, and no write changes a neighbour.
 
-Each program does the same on a robot that counts: events are made, read and cleared, and pulses are made. The answer to
-its first read that clears is lost.
+Each program does the same on a robot that counts: it makes, reads and clears events, and makes pulses. The answer to
+its first read that clears events is lost.
 """
 
 from __future__ import annotations
@@ -150,8 +150,8 @@ def losing_line() -> Iterator[FaultyLine]:
     with serve(effects_gateway()) as url, FaultyLine(url, "tcp", [lose(r"^rq")]) as line:
         yield line
     numbers = [frame[2:5] for frame in line.requests if frame.startswith("rq")]
-    assert len(numbers) > len(set(numbers)), "the lost answer was asked for again"
-    # Nothing else reads these words, and a masked write is needed beside the plain field alone.
+    assert len(numbers) > len(set(numbers)), "the client did not repeat the request whose answer was lost"
+    # No other request reads these words, and only the plain field needs a masked write.
     assert not any(re.match(r"r[0-9A-F]{3}1[01]", frame) for frame in line.requests)
     assert {frame[5:7] for frame in line.requests if frame.startswith("wk")} == {"13"}
 
@@ -172,7 +172,7 @@ def test_cpp_loses_no_event_and_touches_no_neighbour(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("language", ["c", "cpp"])
-def test_c_and_cpp_refuse_what_a_read_clears_without_queue_commands(language: str, tmp_path: Path) -> None:
+def test_c_and_cpp_refuse_clear_on_read_signals_without_queue_commands(language: str, tmp_path: Path) -> None:
     program = (c_program if language == "c" else cpp_program)(tmp_path)
     with serve(effects_gateway(ALL & ~Feature.QUEUE_COMMANDS)) as url:
         said = output(program, url, "seen alone").splitlines()[0]
@@ -193,7 +193,7 @@ def cpp_program(folder: Path) -> Path:
 
 
 @pytest.mark.slow
-def test_matlab_loses_no_event_touches_no_neighbour_and_has_no_such_signal_in_a_group(octave: Octave) -> None:
+def test_matlab_loses_no_event_and_refuses_such_signals_in_groups(octave: Octave) -> None:
     octave.generate(SPEC)
     with losing_line() as line:
         shown = octave.run(OCTAVE.format(url=line.url))
@@ -202,7 +202,7 @@ def test_matlab_loses_no_event_touches_no_neighbour_and_has_no_such_signal_in_a_
     assert (shown["together"], shown["sampled"]) == (sentence, sentence)
 
 
-def test_matlab_refuses_what_a_read_clears_without_queue_commands(octave: Octave) -> None:
+def test_matlab_refuses_clear_on_read_signals_without_queue_commands(octave: Octave) -> None:
     octave.generate(SPEC)
     with serve(effects_gateway(ALL & ~Feature.QUEUE_COMMANDS)) as url:
         shown = octave.run(f"robot = robot('{url}');\nattempt('seen', @() robot.seen.get());\n")
@@ -212,7 +212,7 @@ def test_matlab_refuses_what_a_read_clears_without_queue_commands(octave: Octave
     )
 
 
-def test_documents_tell_the_effect_of_each_signal() -> None:
+def test_documents_state_the_effect_of_each_signal() -> None:
     (page,) = [file.text for file in generate("docs", SPEC) if file.name.endswith(".md")]
     for path, told in (
         ("seen", "cleared by each read"),

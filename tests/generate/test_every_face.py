@@ -1,7 +1,7 @@
-"""One suite on every face of a link, those in other languages included, and on every medium that it has.
+"""One set of tests for every API of a link, also in other languages, on every medium that the API has.
 
-docs/reference/faces.md has the table. Gateways are served by a thread of their own, so that no face shares their event
-loop; media whose gateway a test cannot reset or hang up are those of tests/transport/test_faces.py.
+docs/reference/faces.md has the table. A thread serves the gateways, so that no API shares their event loop.
+tests/transport/test_faces.py covers the media on which a test cannot reset the gateway or cut the line.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ EMPTY: dict[tuple[str | None, str, Behaviour | None], str] = {
     (None, "served", a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session): A_SERVER_TELLS,
     (None, "udp", a_lost_line_ends_the_calls): "datagrams have no line; silence ends a link after five seconds",
 }
-"""Cells without a test, by face, medium and behaviour, and why; None for all of them."""
+"""Cells without a test, by API, medium and behaviour (None for all), and the reasons."""
 
 
 class Served:
@@ -85,7 +85,7 @@ async def _shared(gateway: Gateway, path: Path) -> AsyncIterator[str]:
 
 
 class Script(Driven):
-    """The driver of a language that is interpreted."""
+    """The driver in an interpreted language."""
 
     def __init__(self, folder: Path) -> None:
         self._process = subprocess.Popen(
@@ -99,7 +99,7 @@ class Script(Driven):
 
 
 class Programs:
-    """Drivers, each compiled and started when it is first asked for."""
+    """Drivers; each is compiled and started at its first use."""
 
     def __init__(self, folder: Path, mex_file: Callable[[], Path]) -> None:
         self._folder, self._mex_file = folder, mex_file
@@ -143,19 +143,19 @@ def programs(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFa
 
 @pytest.fixture(scope="module")
 def portal() -> Iterator[BlockingPortal]:
-    """The thread of the gateways."""
+    """The thread that serves the gateways."""
     with start_blocking_portal() as portal:
         yield portal
 
 
 def why_empty(name: str, medium: str, behaviour: Behaviour) -> str | None:
-    """Return why there is no test for a cell; None where there is one."""
+    """Return the reason why a cell has no test, or None if it has one."""
     cells = itertools.product((name, None), (medium, None), (behaviour, None))
     return next((EMPTY[cell] for cell in cells if cell in EMPTY), None)
 
 
 def run(name: str, behaviour: Behaviour, line: Line, folder: Path, programs: Programs) -> None:
-    """Run a behaviour on a face."""
+    """Run a behaviour on an API."""
     connect: Any = unity_link.connect
     if name == "trio":
         trio.run(behaviour, connect, line)
@@ -182,7 +182,7 @@ CELLS = [
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "medium", "behaviour"), CELLS)
-def test_every_face_does_on_every_medium_what_a_link_does(
+def test_every_api_behaves_like_a_link_on_every_medium(
     name: str, medium: str, behaviour: Behaviour, portal: BlockingPortal, programs: Programs, tmp_path: Path
 ) -> None:
     if name == "Octave" and why_not():

@@ -1,4 +1,4 @@
-"""Leases of programs in C and Octave that want what is scheduled to run out when they are silent."""
+"""Leases of programs in C and Octave that let the schedule run to its end when the program is silent."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def in_c(folder: Path, url: str, finishes: bool) -> subprocess.Popen[str]:
 
 @pytest.fixture(params=["c", "octave"])
 def begin(request: pytest.FixtureRequest) -> Begin:
-    """Return what starts a program that arms the drive, and is silent from then on."""
+    """Return a function that starts a program which arms the drive, and is silent from then on."""
     if request.param == "c":
         return in_c
     octave: Octave = request.getfixturevalue("octave")
@@ -93,9 +93,7 @@ def begin(request: pytest.FixtureRequest) -> Begin:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["finish", "safe"])
-def test_what_is_scheduled_runs_out_behind_a_program_that_was_killed_if_it_wants_so(
-    begin: Begin, way: str, tmp_path: Path
-) -> None:
+def test_schedule_of_a_killed_program_runs_to_its_end_if_configured_to(begin: Begin, way: str, tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     spec.write_text(SPEC)
     command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]

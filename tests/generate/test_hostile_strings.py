@@ -1,6 +1,6 @@
-"""A spec of hostile strings, in a file of a hostile name: every file that is made of it has the shape of a plain one's.
+"""A spec of hostile strings, in a file with a hostile name: generated files have the structure of a plain spec's files.
 
-What a file is made of besides its strings is what the reader of its language says, or what is left without comments.
+The structure of a file is the output of its language's own parser, or the text without strings and comments.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.generate import GeneratedFile
 
-# What neither a spec nor the name of a file can have is tried by itself, in `tests/test_quoting.py`.
+# `tests/test_quoting.py` covers the strings that neither a spec nor a file name can contain.
 HOSTILE_NAME = (
     "rover\nimport os;os.system('touch PWNED')#\r-->\u2028coding:utf-7 \"\"\" ''' \\ $(touch P) [exec] *\udce4.ul"
 )
@@ -76,7 +76,7 @@ def spec_text(doc: str, text: str) -> str:
 
 
 def without_comments(text: str) -> str:
-    """Return a text in C or C++ without what its preprocessor takes for comments."""
+    """Return a text in C or C++ without the comments, as the preprocessor sees them."""
     done = subprocess.run(
         ["cc", "-fpreprocessed", "-dD", "-E", "-P", "-x", "c", "-"],
         input=text,
@@ -107,12 +107,12 @@ def shape_of_ini(text: str) -> dict[str, dict[str, str]]:
 
 def shape_of_matlab(text: str) -> str:
     lines = (re.sub(r"^( *)%.*|(?<=\w)    % .*", "", line) for line in text.split("\n"))
-    # A long string moves to a line of its own.
+    # A long string moves to its own line.
     return "".join("".join(re.sub(r"\.\.\.$", "", STRING_OF_MATLAB.sub("''", line)).split()) for line in lines)
 
 
 def without_lines(sign: str) -> Callable[[str], list[str]]:
-    """Return a function that leaves out comments that are lines of their own."""
+    """Return a function that drops comments which are lines of their own."""
     return lambda text: [line for line in text.split("\n") if line.strip() and not line.lstrip().startswith(sign)]
 
 
@@ -133,7 +133,7 @@ SHAPES: dict[str, Callable[[str], Any]] = {
 
 
 def shape(file: GeneratedFile) -> Any:
-    """Return what a file is made of besides its strings and comments."""
+    """Return the structure of a file, without strings and comments."""
     suffix = ".py" if file.executable else Path(file.name).suffix
     return SHAPES[suffix](file.text) if suffix else file.text
 
@@ -145,7 +145,7 @@ def made(
     path.write_text(spec_text(doc, text), encoding="utf-8")
     options = package if target in {"ros1", "ros2"} else {}
     spec = compile_file(path)
-    # The numbers of which they consist are those of its strings.
+    # These numbers are computed from the strings, so give all specs the same numbers.
     same = compile_text("public same() { @a = 1: READ(); }").interface()
     facts = {"description": b"the same of each", "describe_open": same.describe_open, "fingerprint": 0x12345678}
     vars(spec.interface()).update(facts)
@@ -155,7 +155,7 @@ def made(
 @pytest.mark.parametrize(
     "target", [pytest.param(one, marks=pytest.mark.slow) if one == "verilog" else one for one in TARGETS]
 )
-def test_hostile_strings_change_nothing_but_strings_and_comments(target: str, tmp_path: Path) -> None:
+def test_hostile_strings_change_only_strings_and_comments(target: str, tmp_path: Path) -> None:
     plain = made(target, tmp_path, "plain.ul", "Plain.\n/// Lines.", "plain", PLAIN_PACKAGE)
     hostile = made(target, tmp_path, HOSTILE_NAME, HOSTILE_LINES, HOSTILE, PACKAGE)
     assert plain.keys() == hostile.keys()
@@ -181,13 +181,13 @@ def test_ghdl_reads_the_vhdl_of_hostile_strings(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
-def test_what_stands_behind_a_line_end_in_the_name_of_a_spec_does_not_run(target: str, tmp_path: Path) -> None:
+def test_code_after_a_line_end_in_the_name_of_a_spec_does_not_run(target: str, tmp_path: Path) -> None:
     name = "rover\nimport os;os.system('touch PWNED')#.ul"
     for file in made(target, tmp_path, name, "Plain.", "plain", PLAIN_PACKAGE).values():
         if file.name.endswith((".py", "/bridge")):
             path = tmp_path / file.name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(file.text)
-            # It may fail for want of ROS; what it is not to do is what its spec's name says.
+            # The program may fail without ROS; it must not run the commands in the name of its spec.
             subprocess.run(["python3", path.name], cwd=path.parent, capture_output=True, check=False, timeout=60)
     assert not [folder for folder, _, files in os.walk(tmp_path) if "PWNED" in files]

@@ -1,4 +1,4 @@
-"""A lease of a program in C is over when its link is opened again, whatever the registers of the gateway contain."""
+"""The lease of a program in C ends when its link is opened again, whatever the registers of the gateway contain."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ async def test_a_kick_on_a_link_that_was_opened_again_is_refused(tmp_path: Path)
             with contextlib.suppress(UnityLinkError):
                 await robot.duty.get()
         async with robot.armed():
-            # After an idle second the link first proves its session, and does not know whether the read was executed.
+            # After an idle second, the link first proves its session; it cannot know whether the read was executed.
             kicked = await do("kick")
             assert kicked[:2] in {"32", "34"}, kicked
             assert "the gateway was reset, which ends the link" in kicked

@@ -1,4 +1,4 @@
-"""Whoever copies a file of the gateware, or generates one, has its licence in it."""
+"""Every file of the gateware, and every generated file, contains its licence."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ COPIED = sorted(
 SCARA = compile_file(ROOT / "examples" / "scara.ul")
 
 
-def test_every_file_of_the_gateware_says_its_licence_at_the_top() -> None:
+def test_every_file_of_the_gateware_begins_with_its_licence() -> None:
     assert len(COPIED) > 40
     silent = [path for path in COPIED if LICENCE not in "".join(path.read_text().splitlines(keepends=True)[:2])]
     assert silent == []
 
 
 @pytest.mark.parametrize("target", ["vhdl", "verilog", "c", "cpp"])
-def test_every_generated_source_says_its_licence(target: str) -> None:
+def test_every_generated_source_names_its_licence(target: str) -> None:
     assert [file.name for file in generate(target, SCARA) if file.text.count(LICENCE) != 1] == []

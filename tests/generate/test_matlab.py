@@ -1,4 +1,4 @@
-"""The class that is generated for MATLAB, run by GNU Octave against `unity-link simulate`."""
+"""The generated class for MATLAB, run by GNU Octave with `unity-link simulate`."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 def literals(signal: Signal, values: list[Value]) -> str:
-    """Write values as a column, exactly: those that a double does not hold are put together from halves."""
+    """Return values as a column, exactly: those that a double cannot represent are composed of two halves."""
     if shown_values(signal, values).startswith("double"):
         return "hex2num({" + " ".join(f"'{struct.pack('>d', value).hex()}'" for value in values) + "})"
     if signal.kind.name is KindName.BOOL:
@@ -41,7 +41,7 @@ def literals(signal: Signal, values: list[Value]) -> str:
 
 
 def shown_values(signal: Signal, values: list[Value]) -> str:
-    """Return what `show` prints for values of a signal."""
+    """Return the text that `show` prints for values of a signal."""
     kind = signal.kind
     if kind.name is KindName.BOOL:
         return " ".join(["logical", *(str(int(value)) for value in values)])
@@ -61,7 +61,7 @@ def test_values_of_every_kind_are_encoded_and_decoded_as_by_the_model(octave: Oc
         script, expected = [], {}
         for bits in WORD_BITS:
             spec = every_kind(bits)
-            # One class for each width.
+            # One class for each word width.
             spec = msgspec.structs.replace(
                 spec, interfaces=(msgspec.structs.replace(spec.interface(), name=f"robot_{bits}"),)
             )
@@ -133,7 +133,7 @@ show('about', {{robot.angle.unit, robot.angle.id, robot.angle.kind, robot.angle.
 """
 
 
-def test_signals_do_what_their_kind_access_and_place_allow(octave: Octave) -> None:
+def test_signals_work_within_their_kind_access_and_place(octave: Octave) -> None:
     spec = """\
 group all;
 enum modes { off, manual = 4, end }
@@ -164,7 +164,7 @@ public robot() {
         assert shown[label].startswith("unity_link:argumentError "), shown[label]
     assert shown["posted"] == doubles(-5)
     assert shown["integer"] == doubles(-6)
-    # Behind the port there is plain memory.
+    # The gateway has plain memory at the port: each read returns the last written word.
     assert shown["taken"] == doubles(5, 5)
     assert shown["one"] == doubles(5)
     assert shown["all"] == doubles(11, 5, 3, 1)
@@ -217,7 +217,7 @@ def test_limits_hold_for_values_of_any_class(octave: Octave) -> None:
 
 
 @pytest.mark.slow
-def test_the_guide_says_what_happens(octave: Octave) -> None:
+def test_results_are_as_on_the_page(octave: Octave) -> None:
     guide = (EXAMPLES.parent / "docs" / "how-to" / "matlab.md").read_text(encoding="utf-8")
     lines = [
         line
@@ -241,7 +241,7 @@ def test_the_guide_says_what_happens(octave: Octave) -> None:
     assert shown == told
 
 
-# Names, and the text
+# Names and texts
 
 
 def test_arrays_keywords_and_names_of_the_class_are_reached(octave: Octave) -> None:
@@ -321,7 +321,7 @@ end
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["struct", "numel", "link", "size"])
-def test_an_interface_may_have_the_name_of_a_function_or_of_what_the_class_has(name: str, octave: Octave) -> None:
+def test_interface_may_have_the_name_of_a_function_or_of_a_class_member(name: str, octave: Octave) -> None:
     octave.generate(compile_text(f"public {name}() {{ @a = 1: signed 16 READWRITE(PUBLISH(g)); }}\ngroup g(1, 10);"))
     with simulate("tcp") as url:
         shown = octave.run(f"""\
@@ -360,12 +360,12 @@ def test_the_text_is_one_that_matlab_shows_whole() -> None:
     assert {file.name for file in files} >= {"walker.m", "+unity_link/Link.m", "+unity_link/Signal.m"}
     for file in [file for file in files if file.name.endswith(".m")]:
         assert max(map(len, file.text.splitlines())) <= 132, file.name
-        # In MATLAB these are no char arrays.
+        # In MATLAB, double quotes do not make char arrays.
         assert '"' not in file.text, file.name
 
 
-def test_the_text_is_matlab_and_nothing_of_octave_alone(octave: Octave) -> None:
-    """Octave itself tells where a file uses more than MATLAB has."""
+def test_generated_text_is_valid_in_matlab_and_not_only_in_octave(octave: Octave) -> None:
+    """Octave warns if a file uses a feature that MATLAB lacks."""
     octave.generate(compile_file(EXAMPLES / "scara.ul"))
     files = sorted(str(path.relative_to(octave.folder)) for path in octave.folder.rglob("*.m"))
     extended = "classdef extended\nmethods\nfunction f(obj)\nx = 1;\nx += 1;\nend\nend\nend\n"

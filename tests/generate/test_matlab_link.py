@@ -94,7 +94,7 @@ def test_words_are_read_written_and_posted_and_errors_have_identifiers(octave: O
     assert shown["masked"] == doubles(42)
     assert shown["after masked"] == doubles(37)
     assert shown["block"] == doubles(1, 2, 0xFFFFFFFF)
-    # MATLAB's order is by columns.
+    # MATLAB orders elements by columns.
     assert shown["many"] == doubles(2, 37, 1, 0xFFFFFFFF)
     assert shown["written many"] == doubles(7, 8)
     assert shown["queue"] == doubles(3, 3)
@@ -152,7 +152,7 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
 
 
 def of_another_session(answer_to_k: bytes, _: int) -> bytes:
-    """Return the answer to the `K` of another session than the one that this is of."""
+    """Return the answer to `K` for another session than the requested one."""
     return Framing(Crc()).checked(b"K%03X%b" % (int(answer_to_k[1:4], 16) ^ 1, answer_to_k[4:-5]))
 
 
@@ -163,14 +163,14 @@ def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies, [damage("^K")]) as line:
         shown = octave.run(f"link = unity_link.Link('{line.url}'); link.write(1, 3); show('read', link.read(1));")
         assert line.count("^Q") >= 4
-        # Damaged, its answer lost, that of another session, and its own.
+        # Damaged, lost, for another session, and right.
         assert line.count("^K") >= 4
     assert shown == {"read": doubles(3)}
 
 
 @contextlib.contextmanager
 def hanging_up() -> Iterator[str]:
-    """Return the URL of a server that ends the one connection that it takes."""
+    """Yield the URL of a server that accepts one connection and ends it."""
     with socket.create_server(("127.0.0.1", 0)) as server:
 
         def hang_up() -> None:
@@ -182,7 +182,7 @@ def hanging_up() -> Iterator[str]:
         thread.join()
 
 
-def test_urls_and_gateways_that_do_not_fit_are_told(octave: Octave) -> None:
+def test_unusable_urls_and_gateways_are_reported(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp", "--set", "data_bits=16", "--set", "features=0") as url, hanging_up() as closing:
         shown = octave.run(f"""\
@@ -233,7 +233,7 @@ attempt('no choice', @() scara('{wrong}?map=all'));
     assert shown["wrong"].startswith(f"unity_link:unsupported {told}")
 
 
-# What is kept in the MEX file
+# State in the MEX file
 
 _HANDLES = """\
 link = unity_link.Link('{url}');
@@ -276,7 +276,7 @@ attempt('deleted twice', @() unity_link_mex('release', number));
 """
 
 
-def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_links_stay_apart(octave: Octave) -> None:
+def test_invalid_link_or_subscription_numbers_fail_and_links_are_separate(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, simulate("unix", str(octave.folder / "socket")) as other:
         shown = octave.run(_HANDLES.format(url=url, other=other))
@@ -292,7 +292,7 @@ def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_lin
 
 
 @pytest.mark.slow
-def test_a_package_that_is_not_built_says_what_to_call_and_is_there_when_that_is_done(bare_octave: Octave) -> None:
+def test_unbuilt_package_names_the_build_call_that_makes_it_usable(bare_octave: Octave) -> None:
     bare_octave.generate(compile_text(FIGURE_1))
     link = bare_octave.folder / "+unity_link" / "Link.m"
     with simulate("tcp") as url:
@@ -323,7 +323,7 @@ unity_link.build();
     assert {path.name for path in (bare_octave.folder / "+unity_link" / "source").iterdir()} == sources
 
 
-def test_a_build_without_a_compiler_says_what_is_missing(bare_octave: Octave) -> None:
+def test_build_without_a_compiler_names_the_missing_tool(bare_octave: Octave) -> None:
     bare_octave.generate(compile_text(FIGURE_1))
     shown = bare_octave.run("attempt('build', @() unity_link.build());", {"CC": "/no/such/compiler"})
     assert shown["build"].startswith("unity_link:noCompiler the package unity_link could not be compiled (")
@@ -353,7 +353,7 @@ def test_octave_ends_well_with_open_links_and_after_all_is_cleared(octave: Octav
 
 
 @pytest.mark.slow
-def test_a_ctrl_c_ends_a_take_and_leaves_the_link_as_it_is(octave: Octave) -> None:
+def test_ctrl_c_ends_a_take_and_the_link_stays_usable(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     script = """\
 link = unity_link.Link('{url}');
@@ -373,7 +373,7 @@ end_unwind_protect
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate(timeout=LONGEST_RUN)
     assert output.splitlines() == [f"read\t{doubles(9)}", f"samples\t{doubles(9)}"]
-    # That of a script that was interrupted.
+    # The exit code of an interrupted script.
     assert process.returncode == 1
 
 
@@ -446,7 +446,7 @@ def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
 
 
 def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tuple[int, int]]]:
-    """Return lines of a script, and the writes that they make, in order."""
+    """Return random lines of a script, and the writes that they make, in order."""
     lines, writes, words = [], [], dict.fromkeys(range(256), 0)
     for number in range(1, count + 1):
         address = chance.randrange(240)
@@ -471,7 +471,7 @@ def random_writes(chance: random.Random, count: int) -> tuple[list[str], list[tu
 async def test_every_write_over_a_noisy_line_is_executed_exactly_once_and_in_order(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     lines, writes = random_writes(random.Random(1), 200)
-    # With 8 bits, one damaged frame in 256 would pass.
+    # With a CRC of 8 bits, one damaged frame in 256 would pass.
     gateway = VirtualGateway(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
     bus = RecordedBus(gateway)
     chances = {"loss": 0.003, "flip": 0.003, "double": 0.002}
@@ -545,7 +545,7 @@ attempt('fence', @() link.fence());
 
 
 class ResetButton:
-    """Resets its gateway when a write to it is answered."""
+    """Resets its gateway after the answer to a write to this device."""
 
     def __init__(self, gateway: ObservedGateway) -> None:
         self._gateway = gateway
@@ -554,18 +554,18 @@ class ResetButton:
         return 0
 
     def write(self, offset: int, value: int, now: float) -> None:
-        self._gateway.reset_behind = True
+        self._gateway.reset_after = True
 
 
 def gateway_with_reset_button() -> ObservedGateway:
-    """Return a gateway that a write to address 254 resets."""
+    """Return a gateway that is reset by a write to address 254."""
     gateway = ObservedGateway()
     gateway.detach([254])
     gateway.attach(ResetButton(gateway), [254])
     return gateway
 
 
-def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_one_goes_on(octave: Octave) -> None:
+def test_gateway_reset_on_an_open_line_loses_the_link_and_a_new_link_works(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = gateway_with_reset_button()
     with serve(gateway) as url:
@@ -573,7 +573,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_o
     assert shown["sampled"] == shown["read"] == doubles(7)
     assert shown["silent"] == "logical 1"
     reset = "unity_link:linkLost the gateway was reset, which ends the link; the request is "
-    # On a busy machine they are sent again before the answer has come: perhaps executed is true of these.
+    # On a busy machine, writes are retransmitted before the answer arrives; those are perhaps executed.
     ends = {reset + "known not to be executed", reset + "perhaps executed"}
     assert {shown[f"write {number}"] for number in range(1, 21)} <= ends
     assert shown["sampled again"] == doubles(1)
@@ -594,7 +594,7 @@ attempt('take', @() samples.take(1e6, 30));
     assert shown["take"].startswith("unity_link:linkLost the gateway was reset")
 
 
-def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_executed(octave: Octave) -> None:
+def test_write_retransmitted_to_a_reset_gateway_is_perhaps_executed(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway()
 
@@ -627,7 +627,7 @@ link = unity_link.Link('{line.url}');
 samples = link.subscribe(1, 'rate_hz', 100);
 attempt('write', @() link.write(1, 1));
 """)
-        # So many time outs are five seconds.
+        # The client retransmits fewer than 20 times in the five seconds until it gives up.
         assert line.count("^w") < 20
     assert shown["write"] == (
         "unity_link:linkLost the gateway does not answer any more: is it powered and connected, or does another "
@@ -635,7 +635,7 @@ attempt('write', @() link.write(1, 1));
     )
 
 
-def test_posted_writes_are_confirmed_while_samples_are_awaited_and_before_what_has_no_room_beside_them(
+def test_posted_writes_are_confirmed_during_take_and_before_long_requests(
     octave: Octave,
 ) -> None:
     octave.generate(compile_text(FIGURE_1))
@@ -653,7 +653,7 @@ show('time outs', link.statistics.timeouts);
     assert shown == {"sampled": doubles(5), "read": doubles(6), "time outs": doubles(0)}
 
 
-def test_a_half_duplex_medium_has_one_request_at_a_time_and_none_without_an_answer(octave: Octave) -> None:
+def test_half_duplex_medium_carries_one_answered_request_at_a_time(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway(GatewayInfo(features=Feature(0x7F) | Feature.HALF_DUPLEX))
     with serve(gateway) as url:
@@ -669,7 +669,7 @@ show('read', link.read_many([30 40 41]));
     assert not [frame for frame in gateway.heard if frame.startswith("ws")]
 
 
-def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -> None:
+def test_gateway_of_another_version_is_reported_with_a_remedy(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, FaultyLine(url, "tcp", [replace("^Q", b"Q01200802\r\n", 99)]) as line:
         shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")
@@ -685,7 +685,9 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -
     [(("features=0x6f", "receive_fifo_bytes=64"), 5), ((), 128)],
     ids=["a small FIFO", "the window"],
 )
-def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: tuple[str, ...], most: int) -> None:
+def test_requests_in_flight_stay_within_the_gateways_limits(
+    octave: Octave, settings: tuple[str, ...], most: int
+) -> None:
     octave.generate(compile_text(FIGURE_1))
     options = [option for setting in settings for option in ("--set", setting)]
     with simulate("tcp", *options) as url, FaultyLine(url, "tcp", [lose("^r", times=most)]) as line:
@@ -694,7 +696,7 @@ def test_no_more_is_in_flight_than_the_gateway_takes(octave: Octave, settings: t
         )
         sent = [frame for frame in line.requests if frame.startswith("r")]
     assert shown["words"] == doubles(0)
-    # The answers to all that the first turn sends are lost, so what follows is the first one again.
+    # The answers to the whole first burst are lost, so that the next request is the first one again.
     assert sent.index(sent[0], 1) == most
 
 
@@ -755,9 +757,7 @@ show('group', [strjoin(fieldnames(values).', ' '), sprintf(' %d', isscalar(value
 
 
 @pytest.mark.parametrize("medium", MEDIA)
-def test_samples_of_groups_and_addresses_come_with_their_numbers_times_and_values(
-    octave: Octave, medium: Medium
-) -> None:
+def test_samples_of_groups_and_addresses_have_numbers_times_and_values(octave: Octave, medium: Medium) -> None:
     octave.generate(compile_file(EXAMPLES / "scara.ul"))
     with simulate(medium, "--robot", "scara") as url:
         shown = octave.run(_SAMPLES.format(url=url))
@@ -817,7 +817,7 @@ show('damaged', link.statistics.damaged_frames);
     assert shown["damaged"] == doubles(1)
 
 
-def test_a_lost_answer_is_asked_for_again_while_samples_arrive(octave: Octave) -> None:
+def test_lost_answer_is_requested_again_while_samples_arrive(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with simulate("tcp") as url, FaultyLine(url, "tcp", [lose("^r")]) as line:
         shown = octave.run(f"""\

@@ -1,4 +1,4 @@
-"""Whatever names and texts a spec has, what is generated is taken by its language. `test_c.py` has C and C++."""
+"""Generated files are valid in their language for all names and texts of a spec. `test_c.py` has C and C++."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def test_any_names_make_a_class_that_octave_takes(text: str, tmp_path_factory: p
     spec = compile_text(text)
     octave.generate(spec)
     (made,) = [path for path in octave.folder.glob("*.m") if path.stem not in {"unity_link_mex", "script"}]
-    # Octave reads all of the class for this.
+    # Octave parses the whole class for this call.
     shown = octave.run(f"show('class', meta.class.fromName('{made.stem}').Name);")
     assert shown["class"] == made.stem
 

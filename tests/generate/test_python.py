@@ -1,4 +1,4 @@
-"""The generated module: its types are right for mypy --strict, and what it does is what `unity_link.load` does."""
+"""The generated module: mypy --strict accepts its types, and it works as `unity_link.load` does."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def test_generated_modules_and_programs_with_them_pass_mypy_strict(tmp_path: Pat
     assert done.returncode == 0, done.stdout + done.stderr
 
 
-def test_mypy_finds_what_is_wrong_in_a_program(tmp_path: Path) -> None:
+def test_mypy_finds_the_faults_of_a_program(tmp_path: Path) -> None:
     for spec in (compile_text(AWKWARD), compile_file(EXAMPLES / "scara.ul")):
         generated(spec, tmp_path)
     (tmp_path / "wrong.py").write_text(WRONG)
@@ -157,7 +157,7 @@ def test_the_generated_robot_is_the_one_of_load(word_bits: int, tmp_path: Path) 
 
 def test_the_model_survives_the_module() -> None:
     def stripped(value: Any) -> Any:
-        """Leave out where in the source things stand."""
+        """Return a description without the places in the source."""
         if isinstance(value, dict):
             return {key: stripped(item) for key, item in value.items() if key != "span"}
         return [stripped(item) for item in value] if isinstance(value, list) else value
@@ -224,7 +224,7 @@ def test_names_that_python_has_taken_get_an_underscore(tmp_path: Path) -> None:
     check()
 
 
-def test_a_class_may_be_called_by_a_name_of_which_the_first_letter_is_a_digit(tmp_path: Path) -> None:
+def test_class_name_may_begin_with_an_underscore_and_a_digit(tmp_path: Path) -> None:
     text = (
         "enum _1st { a } public _9x() { @a = 1: _1st READ(); b: _2nd() @(2); } _2nd(): @(base) { @c = base: READ(); }"
     )
@@ -238,7 +238,7 @@ def test_the_module_needs_no_compiler_of_specs(tmp_path: Path) -> None:
     subprocess.run([sys.executable, "-c", program], cwd=tmp_path, check=True)
 
 
-def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place() -> None:
+def test_classes_and_attributes_have_the_docstrings_of_their_declarations() -> None:
     (file,) = generate("python", compile_file(EXAMPLES / "scara.ul"))
     servo = "A servo axis: it moves to its set point, not faster than its speed set point."
     assert f'class Joint(Component):\n    """{servo}"""\n' in file.text

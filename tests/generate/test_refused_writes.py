@@ -1,4 +1,4 @@
-"""A write that a lease has refused: the error of each generated client says why the lease does not let it through."""
+"""A write that a lease refuses: the error of each generated client contains the reason."""
 
 from __future__ import annotations
 
@@ -113,16 +113,16 @@ REFUSED = "the bus refused the access"
 
 
 class Program:
-    """A client in another language behind a server with the spec, beside a link in Python."""
+    """A client in another language on a server with the spec, and a link in Python to the same server."""
 
     def __init__(self, process: asyncio.subprocess.Process, gateway: Any, robot: Any) -> None:
         self._process = process
         self.gateway = gateway
         self.robot = robot
-        """Of the link in Python, another client of the server."""
+        """The robot on the link in Python."""
 
     async def do(self, command: str) -> str:
-        """Do a command, and return the error; empty if there was none."""
+        """Send a command; return the error, or "" without an error."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(f"{command}\n".encode())
@@ -137,7 +137,7 @@ class Program:
 
 
 def built(language: str, folder: Path) -> Path:
-    """Compile the program of a language."""
+    """Compile the program of a language; return its path."""
     sources = [str(path) for path in generated(language, SPEC, folder) if path.suffix == ".c"]
     main = folder / f"main.{language}"
     main.write_text(ENDS[language])
@@ -154,7 +154,7 @@ def built(language: str, folder: Path) -> Path:
 
 
 class _Faulty(SimulatedRobot):
-    """A robot whose register `free` refuses accesses, as `duty` does once `is_broken`."""
+    """A robot whose register `free` refuses all writes, and `duty` refuses them if `is_broken`."""
 
     is_broken = False
 
@@ -186,13 +186,13 @@ async def start(tmp_path: Path) -> AsyncIterator[Callable[[str], Any]]:
 
 
 @pytest.mark.asyncio
-async def test_c_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
+async def test_error_in_c_has_the_reason_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
     program = await start("c")
     do, robot = program.do, program.robot
     duty = f"write of duty at 0x010: {REFUSED}"
     assert await do("set") == f"{duty}: {NEVER}"
     assert (await do("post"), await do("fence")) == ("", f"posted {duty}: {NEVER}")
-    # The masked write of a field, and words without a signal.
+    # The masked write of a field, and words without a signal
     assert await do("bit") == f"masked write of bit at 0x014: {REFUSED}: {NEVER.replace('drive', 'spare')}"
     assert await do("raw") == f"write at 0x010: {REFUSED}"
     assert (await do("arm"), await do("set"), await do("kick")) == ("", "", "")
@@ -221,9 +221,9 @@ async def test_c_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -
 
 
 @pytest.mark.asyncio
-async def test_c_blames_no_lease_for_what_a_module_refuses(start: Callable[[str], Any]) -> None:
+async def test_error_in_c_for_a_write_that_a_module_refuses_names_no_lease(start: Callable[[str], Any]) -> None:
     program = await start("c")
-    # The first failure of a batch counts, and of its signal.
+    # A batch reports its first failure, with the signal of that write.
     assert await program.do("all") == f"write of free at 0x016: {REFUSED}"
     assert await program.do("arm") == ""
     program.gateway.robot.is_broken = True
@@ -232,7 +232,7 @@ async def test_c_blames_no_lease_for_what_a_module_refuses(start: Callable[[str]
 
 @pytest.mark.slow
 @pytest.mark.asyncio
-async def test_cpp_says_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
+async def test_error_in_cpp_has_the_reason_why_a_lease_refuses_a_write(start: Callable[[str], Any]) -> None:
     program = await start("cpp")
     duty = f"write of duty at 0x010: {REFUSED}: {NEVER}"
     assert await program.do("set") == duty

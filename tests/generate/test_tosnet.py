@@ -137,7 +137,7 @@ def test_figure_1_moves_the_motors_from_octave(model: str, octave: Octave) -> No
     assert shown["unknown"].startswith("unity_link:argumentError there is no parameter 'crtl'")
 
 
-# Fields, values of several words, batches, and a network that stands still
+# Fields, values of several words, batches, and a network that has stopped
 
 FIELDS = f"""
 group both;
@@ -200,7 +200,7 @@ def network() -> Iterator[tuple[ScaraOnTosnet, str]]:
 
 
 @pytest.mark.slow
-def test_fields_and_batches_are_one_word_and_one_commit_and_a_network_that_stands_still_is_an_error(
+def test_fields_and_batches_are_one_commit_and_a_stopped_network_is_an_error(
     tmp_path: Path, network: tuple[ScaraOnTosnet, str]
 ) -> None:
     made, url = network
@@ -214,7 +214,7 @@ def test_fields_and_batches_are_one_word_and_one_commit_and_a_network_that_stand
         lines = [client.stdout.readline().strip() for _ in range(9)]
         sent = [(packet.get(0xA4), packet.get(0xA5), packet.get(0xA6)) for packet in memory.sent]
         last = memory.sent[-1]
-        # No packet comes any more.
+        # No further packet arrives.
         memory.cycle = 1e9
         rest, _ = client.communicate("\n")
     assert lines == [

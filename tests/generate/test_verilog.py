@@ -1,4 +1,4 @@
-"""Verilog of a spec: at the clock and the baud rate that are asked for."""
+"""Verilog of a spec, for the requested clock and baud rate."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ endmodule
 
 @pytest.mark.rtl
 @pytest.mark.skipif(shutil.which("iverilog") is None, reason="no Icarus Verilog: apt install iverilog")
-def test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for(tmp_path: Path) -> None:
+def test_netlist_has_the_requested_clock_and_baud_rate(tmp_path: Path) -> None:
     (text,) = (
         file.text for file in generate("verilog", LAMP, clock_hz=CLOCK_HZ, baud=BAUD) if file.name == "lamp_on_uart.v"
     )
@@ -90,13 +90,13 @@ def test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for(tmp_path: 
         ({"licence": "MIT"}, "verilog takes no licence: it is for ros1 and ros2"),
     ],
 )
-def test_what_the_gateware_refuses_is_refused_before_anything_is_converted(
+def test_generics_that_the_gateware_refuses_are_refused_before_conversion(
     options: dict[str, int | str], words: str
 ) -> None:
     with pytest.raises(ArgumentError, match=words):
         generate("verilog", LAMP, None, **options)
 
 
-def test_a_clock_is_for_verilog_alone() -> None:
+def test_clock_option_is_only_for_verilog() -> None:
     with pytest.raises(ArgumentError, match="ros1 takes no clock_hz: it is for verilog"):
         generate("ros1", LAMP, clock_hz=1)

@@ -1,4 +1,4 @@
-"""Generated VHDL: its own bench passes, finds faults, and what is put together of it works by its pins."""
+"""Generated VHDL: its own bench passes and detects faults, and complete designs work by their pins."""
 
 from __future__ import annotations
 
@@ -192,7 +192,7 @@ Test = TypeVar("Test", bound="Callable[..., None]")
 
 
 def rtl(test: Test) -> Test:
-    """Mark a test that needs a simulator, and skip it where there is none."""
+    """Mark a test that needs a simulator, and skip it if there is none."""
     missing = pytest.mark.skipif(not simulator_available(), reason="no simulator: apt install ghdl-mcode")
     marked: Test = pytest.mark.rtl(missing(test))
     return marked
@@ -218,7 +218,7 @@ def analyse(folder: Path, spec: Spec, *, warn: bool = True) -> str:
 
 
 def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
-    """Run the bench of an interface, which was analysed, with a pipelined master and, if all is well, a classic one."""
+    """Run the analysed bench of an interface, with a pipelined master and, if that passes, with a classic one."""
     made = ghdl(folder, "-e", f"{name}_bench")
     assert (made.returncode, made.stderr) == (0, "")
     ran = (folder, "-r", f"{name}_bench", "--assert-level=failure")
@@ -310,7 +310,7 @@ OF_CORES = {
     "a commit without a pulse": (r"(plain_shadow\(15 downto 0\);\n +)\S+ +<= '1';", r"\1null;"),
     "a place that another one has": (r'x"0001"( =>\n +line_0_goal_s)', r'x"000A"\1'),
 }
-"""Faults of the bank of a spec with cores."""
+"""Faults in the bank of a spec with cores."""
 OF_EFFECTS = {
     "an event that is lost in the cycle of a read": (
         r"(wb_we = '0' then\n +seen_bits +<= )std_logic_vector\(from_hardware.seen\);",
@@ -330,7 +330,7 @@ OF_EFFECTS = {
     "a pulse that does not come": (r"again_bits +<= wb_dat_i\(7 downto 7\);", "null;"),
     "a pulse without its lease": (r"(fire_bits +<= )wb_dat_i\(0 downto 0\)", r'\1"1"'),
 }
-"""Faults of the bank of a spec with effects."""
+"""Faults in the bank of a spec with effects."""
 
 
 @pytest.mark.slow
@@ -342,7 +342,7 @@ def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
     registers = tmp_path / f"{robot}_registers.vhd"
     pattern, replacement = (FAULTS | OF_CORES | OF_EFFECTS)[name]
     wrong, count = re.subn(pattern, replacement, registers.read_text())
-    assert count >= 1, "the fault is nowhere to be put"
+    assert count >= 1, "the bank has no place for the fault"
     registers.write_text(wrong)
     done = ghdl(tmp_path, "-a", registers.name)
     assert done.returncode == 0, done.stderr
@@ -372,7 +372,7 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
     assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources())).returncode == 0
     assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), PROBE, *paths))).returncode == 0
     tops = [path.stem for path in paths if path.stem.endswith("_gateway") or "_on_" in path.stem]
-    # What has FIFO ports or modules is no whole design by itself.
+    # A spec with FIFO ports or modules has no complete design.
     assert len(tops) == (1 if left_open(SPECS[name].interface()) else 8)
     for top in tops:
         done = ghdl(tmp_path, "-m", top)
@@ -390,7 +390,7 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
         ("@out = 0x33: unsigned 8 WRITE(FIFO(16)); leds: MEMORY(BASE=0x40, SIZE=2);", "the FIFO port out, MEMORY leds"),
     ],
 )
-def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: str) -> None:
+def test_spec_with_parts_without_gateware_gets_no_complete_design(declared: str, named: str) -> None:
     spec = compile_text(f"public robot() {{ @lamp = 0xF0: unsigned 8 READWRITE(); {declared} }}")
     names = [file.name for file in generate("vhdl", spec)]
     assert names == [f"robot_{part}.vhd" for part in ("map", "registers", "gateway", "bench")]
@@ -398,13 +398,13 @@ def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: st
         check_whole(spec.interface())
 
 
-def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
+def test_base_without_a_name_is_no_missing_part() -> None:
     spec = compile_text("public robot() { MEMORY(BASE=0x10) { @lamp = 0: unsigned 8 READWRITE(); } }")
     check_whole(spec.interface())
 
 
 @pytest.mark.slow
-def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
+def test_missing_complete_design_is_reported_with_the_reason(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "unity_link", "generate", "vhdl", str(ROOT / "examples" / "rover.ul")]
     done = subprocess.run([*command, "-o", str(tmp_path)], capture_output=True, text=True, check=True)
     assert "no gateware implements the FIFO port log; take rover_gateway" in done.stderr
@@ -445,7 +445,7 @@ def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Pa
     ids=["walker", "echo"],
 )
 def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
-    # Not in a folder of this run: the compiled simulation is kept under the names and contents of its sources.
+    # Use a fixed folder: the compiled simulation is cached under the paths and contents of its sources.
     name = spec.interface().name
     paths = write(generate("vhdl", spec), GATEWARE / "build" / "generated" / name)
     run_bench(
@@ -454,14 +454,14 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
         testcase=case,
         generics={"clock_hz": 25_000_000, "baud": 6_250_000},
         extra_sources=[*paths, *sorted(BOARDS.glob("*.vhd"))],
-        # There is no reset pin: until the board has reset itself, everything is undefined.
+        # The board has no reset pin: signals are undefined until the board has reset itself.
         warnings_allowed=True,
     )
 
 
 @pytest.mark.slow
 @rtl
-def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to() -> None:
+def test_watchdog_of_the_documentation_stops_a_motor_without_writes() -> None:
     folder = GATEWARE / "build" / "generated" / "motor"
     paths = write(generate("vhdl", MOTOR), folder)
     board = folder / "motor_board.vhd"
@@ -471,12 +471,12 @@ def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to()
         "tests.generate.bench_watchdog",
         generics={"clock_hz": 25_000_000, "baud": 6_250_000, "patience": PATIENCE},
         extra_sources=[*(path for path in paths if "_on_" not in path.name), board],
-        # Everything is undefined until the reset.
+        # All signals are undefined until the reset.
         warnings_allowed=True,
     )
 
 
-def test_the_watchdog_of_the_documentation_has_the_sixteen_lines_that_are_promised() -> None:
+def test_watchdog_of_the_documentation_has_sixteen_lines_as_stated() -> None:
     text = LISTINGS["motor_board.vhd"]
     watchdog = text[text.index("  watch : process") : text.index("end architecture")].strip()
     assert len(watchdog.splitlines()) == 16
@@ -496,17 +496,17 @@ def test_four_generated_gateways_take_turns_on_one_pair_of_wires() -> None:
             *(path for path in paths if "_on_" not in path.stem and "bench" not in path.stem),
             folder / "pair.vhd",
         ],
-        # What is before the reset is undefined.
+        # Signals are undefined before the reset.
         warnings_allowed=True,
     )
 
 
-# `make test-all` synthesises it nowhere, but runs its board by its pins; `make synth-quick` maps boards with each
-# kind of register.
+# For the campaign only: `make test-all` runs the walker's board by its pins, and `make synth-quick` maps boards with
+# each kind of register.
 @rtl
 @pytest.mark.campaign
-def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> None:
-    # Place and route takes minutes: `make synth` does it, and gateware/RESULTS.md tells what came out.
+def test_walker_is_synthesised_from_its_spec_and_pins(tmp_path: Path) -> None:
+    # Place and route takes minutes: `make synth` does it, and gateware/RESULTS.md has the results.
     board = BOARDS / "walker"
     assert [path.suffix for path in board.iterdir()] == [".lpf"]
     sources = [*write(generate("vhdl", SPECS["walker"]), tmp_path), *sorted(BOARDS.glob("*.vhd"))]
@@ -526,7 +526,7 @@ def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> N
     }
     assert set(design["ports"]) == placed
     cells = Counter(cell["type"] for cell in design["cells"].values())
-    # 36 registers of 32 bits, as many inputs, and the chain that both are on: nothing was found to be of no use.
+    # 36 registers of 32 bits, as many inputs, and the chain for both: synthesis has removed none of them.
     assert cells["TRELLIS_FF"] > 3 * 36 * 32
     assert cells["LUT4"] < 12_000
 
@@ -589,7 +589,7 @@ def test_generics_follow_from_the_groups() -> None:
     assert plain["base_frequency_millihertz"] == 100_000_000
     large = generics("group g(200, 10);", 250)
     assert (large["groups"], large["group_words"], large["sample_depth"]) == (201, 250, 512)
-    # A rate that the gateway's own base frequency does not have is had exactly; where a divisor counts from that, not.
+    # With RATE, the base frequency is chosen so that the rate is exact; with DIVISOR it stays 100 kHz.
     assert generics("group g(RATE=60);")["base_frequency_millihertz"] == 99_960_000
     assert generics("group g(NUMBER=1, DIVISOR=10);")["base_frequency_millihertz"] == 100_000_000
 

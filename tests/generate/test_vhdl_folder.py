@@ -1,4 +1,4 @@
-"""The gateware for a design of one's own: copied as a folder, and beside what is generated from a spec."""
+"""The gateware for a user's own design: copied as a folder, and beside the files generated from a spec."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_the_copy_is_the_gateware_with_scripts_constraints_and_licence(tmp_path:
     assert (copied / "LICENSE").read_text().startswith("BSD 3-Clause")
     assert {"import/vivado.tcl", "unity_link.core", "constraints/README.md"} <= gateware_files().keys()
     assert all((copied / line).is_file() for line in in_compile_order())
-    # Nothing else is left in the folder above.
+    # The folder above contains no other file.
     assert list((tmp_path / "new").iterdir()) == [copied]
 
 
@@ -47,7 +47,7 @@ def test_a_copy_that_cannot_be_written_leaves_nothing(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("vendor", ["ecp5", "gowin", "xilinx"])
-def test_pads_of_a_vendor_stand_in_the_place_of_the_portable_ones(vendor: str) -> None:
+def test_pads_of_a_vendor_replace_the_portable_ones(vendor: str) -> None:
     portable, theirs = list(in_compile_order()), list(in_compile_order(vendor))
     assert len(portable) == len(theirs) == len(set(theirs))
     changed = [new for old, new in zip(portable, theirs, strict=True) if old != new]

@@ -1,4 +1,4 @@
-"""Files written by `generate`, `fmt` and `export`: whole or not at all; a full disk leaves what was there before."""
+"""Files written by `generate`, `fmt` and `export` are complete, or not written; on a full disk the old files stay."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ main()
 
 
 def on_a_full_disk(room: int, *arguments: str | Path) -> str:
-    """Run a command where no file can have more than so many bytes; return what it says."""
+    """Run a command in a process whose files may have at most `room` bytes; return its message."""
     command = [sys.executable, "-B", "-c", ON_A_FULL_DISK, str(room), *map(str, arguments)]
     environment = unmeasured_environment()
     result = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False, env=environment)
@@ -84,7 +84,7 @@ def test_files_are_replaced_and_programs_are_executable(tmp_path: Path) -> None:
     assert paths[0].stat().st_mode & 0o111
 
 
-def test_a_folder_in_the_way_is_told_and_nothing_is_written(tmp_path: Path) -> None:
+def test_folder_with_the_name_of_a_file_is_reported_and_nothing_is_written(tmp_path: Path) -> None:
     (tmp_path / "c").mkdir()
 
     with pytest.raises(ArgumentError, match=r"/c cannot be written: Is a directory$"):

@@ -1,6 +1,6 @@
-"""Behaviours of every face of a link, as functions over anything with a link's methods.
+"""Behaviours that every API of a link must have, as functions of any object with the methods of a link.
 
-`tests/generate/test_every_face.py` runs them. Each takes what connects to a URL, and the line to a gateway of the test.
+`tests/generate/test_every_face.py` runs them. Each gets a function that connects to a URL, and the `Line` of its test.
 """
 
 from __future__ import annotations
@@ -34,28 +34,33 @@ if TYPE_CHECKING:
 
 REFUSING, SILENT, QUEUE = 0xF0, 0xF1, 0xF2
 WIDE_CRC = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
-"""With which no damage passes by chance."""
+"""CRC of 32 bits, so that no damaged frame passes by chance."""
 
 
 class Server(Protocol):
-    """Serves gateways, in a thread of its own."""
+    """Serves gateways in its own thread."""
 
     def serve(self, gateway: Gateway) -> AbstractContextManager[str]:
-        """Serve a gateway, and give its URL."""
+        """Serve a gateway; yield its URL."""
 
     def call(self, function: Callable[[], object]) -> object:
-        """Call a function in the thread of the gateways."""
+        """Call a function in the thread that serves the gateways; return its result."""
 
 
 class Line:
-    """The way to gateways of one test."""
+    """Serves the gateways of one test."""
 
     def __init__(self, server: Server) -> None:
         self._server = server
 
     @contextmanager
     def gateway(self, noise: float = 0.0, **built: Any) -> Iterator[Served]:
-        """Serve a gateway with failing addresses and a queue, behind a line that loses and damages bytes."""
+        """Serve a gateway with failing addresses and a queue; `noise` is the chance of each byte to be lost or damaged.
+
+        Args:
+            noise: from 0 to 1; with 0 the line is perfect.
+            built: fields of the gateway's `GatewayInfo`.
+        """
         gateway = ObservedGateway(GatewayInfo(**built))
         gateway.detach([REFUSING, SILENT])
         gateway.attach(Failing(ErrorCode.BUS_ERROR), [REFUSING])
@@ -68,23 +73,23 @@ class Line:
 
 
 class Served:
-    """A gateway that is served."""
+    """A gateway that is being served."""
 
     def __init__(self, gateway: ObservedGateway, url: str, serving: ExitStack, server: Server) -> None:
         self.gateway, self.url = gateway, url
         self._serving, self._server = serving, server
 
     def reset(self) -> None:
-        """Reset the gateway behind the open line."""
+        """Reset the gateway without closing the line."""
         self._server.call(self.gateway.reset)
 
     def hang_up(self) -> None:
-        """End the line."""
+        """Close the line."""
         self._serving.close()
 
 
 def plain(words: Any) -> list[int]:
-    """Return words of any array."""
+    """Return the words of any array as a list."""
     return [int(word) for word in words]
 
 
@@ -176,7 +181,7 @@ async def a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session
             served.reset()
             with pytest.raises(LinkLostError) as told:
                 await link.write(0x10, 2)
-            # Where the machine is slow it was sent twice, and its outcome is not known.
+            # On a slow machine the write was retransmitted before the reset was detected, so its outcome is unknown.
             assert told.value.outcome is not Outcome.EXECUTED
             assert served.gateway.bus_log.writes == [(0x10, 1)]
         async with connect(served.url) as link:

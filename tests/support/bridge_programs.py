@@ -1,4 +1,4 @@
-"""Common parts of tests of bridges as programs: waiting for their actions, on a gateway that a test sees as well."""
+"""Functions that tests of bridge programs share: they start the programs, and read the gateway directly."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ public all() {
 enum mode { idle = 0, run = 1 }
 """
 WRITES_NAMES = ["word", "scaled", "flag", "mode", "wide", "number", "seen", "nothing"]
-"""Those of its signals, one that can only be read, and one that is not there."""
+"""Names of the spec's signals, then a signal that can only be read, and a name that the spec lacks."""
 FAST_SPEC = """
 group fast(1, 1, TIMESTAMPS);
 public bench() {
@@ -44,19 +44,19 @@ public bench() {
 }
 """
 FAST_GATEWAY = "sim:?data_bits=64&base_frequency_millihertz=20000000"
-"""Twenty thousand samples a second."""
+"""Gateway with a group of 20,000 samples per second."""
 
 
 def wait_until(condition: Callable[[], object]) -> None:
     deadline = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < deadline
-        # What is waited for happens in other processes; looking more often would only take their time.
+        # Other processes do the work that this function waits for; polling faster would take processor time from them.
         time.sleep(0.02)
 
 
 def seen_until_disarmed(robot: Any) -> set[int]:
-    """Wait until the lease `drive` of a robot is not armed any more; return the values that its `duty` has had."""
+    """Wait until the lease `drive` of a robot is disarmed; return the set of values that `duty` had until then."""
     seen = set[int]()
 
     def is_over() -> bool:
@@ -68,7 +68,7 @@ def seen_until_disarmed(robot: Any) -> set[int]:
 
 
 def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    """Wait for a line on stderr; a program that has not printed it within `PATIENCE` is killed, and the test fails."""
+    """Return the next line on stderr that contains `words`; after `PATIENCE`, kill the program and fail the test."""
     assert process.stderr is not None
     printed = []
     limit = threading.Timer(PATIENCE, process.kill)
@@ -91,16 +91,16 @@ def line_of(process: subprocess.Popen[str]) -> str:
 
 
 _DOMAINS: list[socket.socket] = []
-"""A socket for each domain that this process has, open until it ends."""
+"""One socket for each domain that this process has claimed, open until the process ends."""
 
 
 def free_domain() -> int:
-    """Return a DDS domain that no other test on this machine has: two that run side by side must not hear each other.
+    """Return a DDS domain that no other test on this machine uses: tests in one domain receive each other's data.
 
     Raises:
-        RuntimeError: where all are taken.
+        RuntimeError: if all domains are in use.
     """
-    # From 60 on their ports lie beyond most services; 232 is the highest (DDSI-RTPS 2.5, 9.6.2).
+    # The ports of domains from 60 on are above those of most services; 232 is the highest (DDSI-RTPS 2.5, 9.6.2).
     for domain in range(60, 233):
         claim = socket.socket(socket.AF_UNIX)
         try:
@@ -117,7 +117,7 @@ def free_domain() -> int:
 def bridge_on_shared(
     kind: str, spec: str, gateway: str, folder: Path, *options: str
 ) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """Run a bridge on a gateway that the test can look at, too; give it, and the URL of that."""
+    """Run a bridge on a shared gateway; yield the process, and the URL at which the test can reach the gateway too."""
     place = folder / "gateway"
     with subprocess.Popen([PROGRAM, "serve", gateway, "--unix", str(place)], stdout=subprocess.PIPE) as server:
         assert server.stdout is not None
@@ -136,7 +136,7 @@ def bridge_on_shared(
 
 
 class Noted:
-    """A gateway in a process of its own that can be killed and started again, and what was ever written to it.
+    """A gateway in its own process, which tests can kill and restart, with a log of all values ever written to it.
 
     The values are those of the signal `target` of `noting_gateway.SPEC`.
     """
@@ -149,7 +149,7 @@ class Noted:
 
     @contextmanager
     def running(self) -> Iterator[None]:
-        """Run it, and kill it at the end."""
+        """Run the gateway; kill it at the end of the block."""
         program = str(Path(__file__).with_name("noting_gateway.py"))
         with subprocess.Popen(
             [sys.executable, program, str(self._place), str(self._notes)], stdout=subprocess.PIPE
@@ -166,14 +166,14 @@ class Noted:
         return [int(line) for line in self._notes.read_text().split()] if self._notes.exists() else []
 
     def wait_for_more(self, count: int = 50) -> None:
-        """Wait until so many more values were written."""
+        """Wait until `count` more values were written."""
         before = len(self.values)
         wait_until(lambda: len(self.values) >= before + count)
 
 
 @contextmanager
 def program(*arguments: str) -> Iterator[subprocess.Popen[str]]:
-    """Run `unity-link`, and kill it at the end."""
+    """Run `unity-link`; kill it at the end of the block."""
     with subprocess.Popen(
         [PROGRAM, *arguments], stderr=subprocess.PIPE, text=True, env={**os.environ, "PYTHONUNBUFFERED": "1"}
     ) as process:

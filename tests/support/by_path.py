@@ -1,4 +1,4 @@
-"""Imports of files that are in no package, such as those of `examples`."""
+"""Imports of files outside of packages, for example those of `examples`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def imported(path: Path) -> ModuleType:
-    """Import a file anew, and return the module."""
+    """Import a file, even if it was imported before; return the module."""
     spec = importlib.util.spec_from_file_location(f"{path.parent.name}_{path.stem}", path)
     assert spec is not None
     assert spec.loader is not None

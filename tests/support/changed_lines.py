@@ -1,4 +1,4 @@
-"""Lines that do not carry every byte as it is, as settings of ports, adapters and servers make them."""
+"""Lines that change some of the bytes that they carry, because of settings of ports, adapters and servers."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ DIRECTIONS = ("to the gateway", "from the gateway", "both ways")
 
 
 class FlowControl:
-    """A line that XOFF stops and XON starts again; it carries neither."""
+    """A line with software flow control: XOFF stops it, XON restarts it, and neither byte reaches the other end."""
 
     def __init__(self) -> None:
         self._held: bytes | None = None
-        """Bytes that wait while the line is stopped."""
+        """Bytes held back while the line is stopped; None while the line runs."""
 
     def __call__(self, data: bytes) -> bytes:
-        """Return the bytes that pass."""
+        """Return the bytes that the line lets through."""
         passed = bytearray()
         for byte in data:
             if byte == XOFF:
@@ -48,14 +48,14 @@ class FlowControl:
 
 
 class Line(NamedTuple):
-    """A line, by its effect on bytes."""
+    """A kind of line, defined by the change that it makes to bytes."""
 
     change: Callable[[], Callable[[bytes], bytes]]
-    """Makes the function that changes the bytes of one direction."""
+    """Returns a new function that changes the bytes of one direction."""
     carries_text: bool
-    """True if no frame of text has a byte that is changed."""
+    """True if the line leaves all bytes of text frames unchanged."""
     stops: bool = False
-    """True if a byte may stop it."""
+    """True if some byte may stop the line."""
 
 
 def _without(pattern: bytes, instead: bytes = b"") -> Callable[[], Callable[[bytes], bytes]]:
@@ -86,17 +86,18 @@ CHANGED_ENDS = [
     for direction in DIRECTIONS
     if (name, direction) != ("LF taken out", DIRECTIONS[0])
 ]
-"""Changes that the host can see. A gateway does not answer a checked question whose LF is gone."""
+"""Pairs of a line and a direction whose change the host can detect. If LF is removed from requests, the gateway does
+not answer checked requests at all."""
 CR_LF_FOR_CR = Line(_without(rb"\r", b"\r\n"), carries_text=True)
 
 
 class ChangedLine(Valve):
-    """A line in front of a gateway.
+    """A line that changes the bytes to a gateway, from it, or both.
 
     Args:
         gateway: the gateway at the end of the line.
-        line: the effect on bytes.
-        direction: of the bytes that are changed, one of `DIRECTIONS`.
+        line: the kind of line.
+        direction: which bytes are changed, one of `DIRECTIONS`.
     """
 
     def __init__(self, gateway: Gateway, line: Line, direction: str = DIRECTIONS[2]) -> None:
@@ -104,21 +105,21 @@ class ChangedLine(Valve):
         self._to = bytes if direction == DIRECTIONS[1] else line.change()
         self._from = bytes if direction == DIRECTIONS[0] else line.change()
         self.sent = b""
-        """Bytes that the host has sent."""
+        """All bytes that the host has sent, before any change."""
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes, and return the answers as they arrive."""
+        """Pass bytes to the gateway; return its answers as the host receives them."""
         self.sent += data
         return self._from(super().receive(self._to(data), now))
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the samples as they arrive."""
+        """Advance the gateway's time; return its samples as the host receives them."""
         return self._from(super().advance(now, room))
 
 
 @contextlib.contextmanager
 def on_a_port(gateway: Gateway, kind: str) -> Iterator[str]:
-    """Answer at a socket or a pseudo-terminal in a thread of its own; gives the URL."""
+    """Serve a gateway on a socket or a pseudo-terminal in a thread; yield its URL."""
     with contextlib.ExitStack() as open_now:
         if kind == "tcp":
             server = open_now.enter_context(socket.create_server(("127.0.0.1", 0)))

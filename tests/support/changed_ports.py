@@ -1,4 +1,4 @@
-"""Settings that another program gives to a serial port while a link uses it."""
+"""Settings of a serial port that another program changes while a link uses the port."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from unity_link.transport import parse_url
 
 
 def make_sane(url: str) -> None:
-    """Set the terminal of a URL to echo, wait for lines and translate their ends."""
+    """Give the terminal of a URL the settings of a console: it echoes, waits for whole lines, translates line ends."""
     subprocess.run(["stty", "-F", parse_url(url).path, "sane"], check=True)

@@ -1,6 +1,7 @@
-"""Changes of specs, one property of one thing each: those that a program of the spec before can live with, and others.
+"""Changes of specs. Each changes one property of one item; compatible and incompatible changes are listed apart.
 
-A change is made in the syntax tree, by what the language means; nothing here knows how interfaces are compared.
+A compatible change leaves programs for the old spec right. Changes are made in the syntax tree, by the meaning of the
+language, independently of the code that compares interfaces.
 """
 
 from __future__ import annotations
@@ -38,7 +39,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     Changing = Callable[[File, random.Random], tuple[str, str] | None]
-    """A function that changes a tree, and returns the thing and the property; None where there is nothing to change."""
+    """A function that changes a tree; it returns the item and the property, or None if the tree has nothing to change.
+    """
 
 T = TypeVar("T")
 ROOT = Path(__file__).parents[2]
@@ -48,21 +50,21 @@ _ATTEMPTS = 200
 
 
 class Change(NamedTuple):
-    """A spec with a change."""
+    """A spec after one change."""
 
     text: str
     interface: Interface
     thing: str
-    """A part of the name of what is changed; empty where the program can live with the change."""
+    """A part of the name of the changed item; empty for a compatible change."""
     what: str
-    """The property that is another one."""
+    """The property that differs."""
 
 
 def changed(path: Path, chance: random.Random, changes: dict[str, Changing]) -> tuple[str, Change]:
-    """Return the name of a change, and the spec with it; one that the compiler refuses is made otherwise."""
+    """Return the name of a random change, and the changed spec. Draw again if the compiler refuses the changed spec."""
     for _ in range(_ATTEMPTS):
         file: File = pickle.loads(_pickled(path))
-        # What returns None has changed nothing, or what is not read any more.
+        # A change returns None if it changed nothing, or changed a part that the compiler does not read.
         name, done = next(
             (name, done)
             for name in iter(lambda: chance.choice(sorted(changes)), "")
@@ -82,7 +84,7 @@ def changed(path: Path, chance: random.Random, changes: dict[str, Changing]) -> 
 
 @functools.cache
 def _pickled(path: Path) -> bytes:
-    """Return the tree of a file, of which each change gets a copy: parsing is what takes the time of these tests."""
+    """Return the pickled tree of a file; each change gets a copy. Parsing takes most of the time of these tests."""
     return pickle.dumps(parse(SourceText("", path.read_text()), Reporter()))
 
 
@@ -110,7 +112,7 @@ def _of(file: File, kind: type[T]) -> list[T]:
 
 
 def _signals(file: File) -> list[SignalDeclaration]:
-    """Return all signals, and not what has the form of one: pins and triggers."""
+    """Return all signals; pins and triggers, which have the same syntax, are left out."""
     return [one for one in _of(file, SignalDeclaration) if one.access in Access.__members__]
 
 
@@ -123,7 +125,7 @@ def _root(file: File) -> ComponentDeclaration:
 
 
 def _argument(arguments: list[Argument], name: str) -> Argument | None:
-    """Return an argument by its name, that of its clause, or its flag."""
+    """Return the argument with a name: its own name, that of its clause, or that of its flag."""
     for one in arguments:
         called = one.name or (one.value.name if isinstance(one.value, Call | Name) else None)
         if called == name:
@@ -132,7 +134,7 @@ def _argument(arguments: list[Argument], name: str) -> Argument | None:
 
 
 def _put(arguments: list[Argument], name: str, value: str) -> bool:
-    """Set the value of an argument; return True if that changes it."""
+    """Set the value of an argument; return True if the value differs from the one before."""
     given, new = _argument(arguments, name), _expression(value)
     if given is None:
         arguments.append(Argument(Word(name), new))
@@ -142,7 +144,7 @@ def _put(arguments: list[Argument], name: str, value: str) -> bool:
     return is_other
 
 
-# What a program cannot live with
+# Incompatible changes
 
 
 def _value(name: str, *values: str) -> Changing:
@@ -254,7 +256,7 @@ def _renamed(file: File, chance: random.Random) -> tuple[str, str] | None:
 
 
 def _shared(file: File, _: random.Random) -> tuple[str, str] | None:
-    """Write another signal in the highest bit of a word that was that of one alone."""
+    """Put another signal into the highest bit of a word that a single signal had for itself."""
     for one in _root(file).members:
         if isinstance(one, SignalDeclaration) and one.bits is None and one.access == "READWRITE":
             _root(file).members.append(
@@ -425,10 +427,10 @@ OF_CORES = {
     name: INCOMPATIBLE[name]
     for name in ("core", "entity", "SAFE", "no SAFE", "TIMED", "no TIMED", "enumeration", "place")
 }
-"""Those that are of cores and of what guards and times their signals."""
+"""Incompatible changes of cores and of the leases and schedules of their signals."""
 
 
-# What a program can live with
+# Compatible changes
 
 
 def _signal(file: File, chance: random.Random) -> tuple[str, str]:
@@ -440,7 +442,7 @@ def _signal(file: File, chance: random.Random) -> tuple[str, str]:
 
 
 def _sampled(file: File, chance: random.Random) -> tuple[str, str] | None:
-    """Add a signal to a group that there is."""
+    """Add a signal to an existing group."""
     group = _any(chance, _of(file, GroupDeclaration))
     if group is None:
         return None
@@ -485,7 +487,7 @@ def _component(file: File, chance: random.Random) -> tuple[str, str] | None:
 
 
 def _pin(file: File, chance: random.Random) -> tuple[str, str] | None:
-    """Put a core at other pins."""
+    """Connect a core to another pin."""
     place = _any(chance, [one for one in _of(file, Placement) if one.type in _OF_CORES])
     named = [] if place is None or place.addresses is None else [one for one in place.addresses if one.name]
     pin = _any(chance, named)

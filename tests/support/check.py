@@ -1,7 +1,8 @@
-"""Runs the tests that a change touches: ``python -m support.check [BASE]``, for `make check`.
+"""Runs the tests of files that differ from BASE: ``python -m support.check [BASE]``, for `make check`.
 
-A change is what differs from BASE, committed or not. BASE is where the branch left `main`, on `main` the commit before.
-Tests that take long are left out: `make test-all` runs those, and `make test` the quick tests of all packages.
+Uncommitted and untracked files count too. By default BASE is the commit at which the branch left `main`; on `main` it
+is
+the commit before the last one. Slow tests are left out: `make test-all` runs them.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ _TOPS = ("tests", "gateware/bench", "gateware/cores")
 
 
 def changed_files(base: str | None = None) -> list[str]:
-    """Return the files that differ from a commit, those that git does not know yet among them."""
+    """Return the files that differ from a commit, and the untracked files."""
     base = base or _base()
     names = [*_git("diff", "--name-only", "--no-renames", base), *_git("ls-files", "--others", "--exclude-standard")]
     return sorted(set(names))
@@ -41,7 +42,7 @@ def _git(*arguments: str, check: bool = True) -> list[str]:
 
 
 def tests_of(files: list[str]) -> list[str]:
-    """Return the files and folders of tests that a change of files touches, by path from the root."""
+    """Return the files and folders of tests of the given files; all paths are relative to the root."""
     found = {path for file in files for path in _tests_of(file)} | set(ALWAYS)
     inside = {path for path in found if any(parent.as_posix() in found for parent in Path(path).parents)}
     return sorted(path for path in found - inside if (ROOT / path).exists())
@@ -70,7 +71,7 @@ def _tests_of(file: str) -> list[str]:
 
 
 def _tests_of_gateware(inside: list[str]) -> list[str]:
-    """Return the tests of a file of the gateware."""
+    """Return the tests of a file in `gateware/`, given the parts of its path there."""
     path = Path(*inside)
     entity = path.stem.removeprefix("ul_")
     match inside:
@@ -86,7 +87,7 @@ def _tests_of_gateware(inside: list[str]) -> list[str]:
 
 
 def _tests_of_package(inside: list[str]) -> list[str]:
-    """Return the tests of a file of the package: those of its part of a room, of its room, or all that import it."""
+    """Return the tests of a file in `unity_link/`: of its module, of its package, or otherwise all that import it."""
     room, rest = Path(inside[0]).stem, inside[1:]
     name = ".".join(["unity_link", room, *(Path(part).stem for part in rest[:1])])
     if (ROOT / "tests" / room).is_dir():
@@ -96,7 +97,7 @@ def _tests_of_package(inside: list[str]) -> list[str]:
 
 
 def _of_part(room: str, part: str, name: str) -> list[str]:
-    """Return the tests of a part of a room: its folder, and all that name or import it; if there are none, its room."""
+    """Return the tests of a part of a package: its folder, and all that import or name it; otherwise the package."""
     found = [
         path
         for path in _test_files(f"tests/{room}")
@@ -107,19 +108,19 @@ def _of_part(room: str, part: str, name: str) -> list[str]:
 
 
 def _users(pattern: str) -> list[str]:
-    """Return the tests with an import of this pattern, by themselves or by what they share; a room for its own file."""
+    """Return the tests that import a module, directly or through shared code (then the folder of the shared code)."""
     users: list[str] = []
     for path in _test_files(*_TOPS, tests_only=False):
         if not re.search(rf"^\s*(from|import) .*{pattern}", (ROOT / path).read_text(), re.MULTILINE):
             continue
-        # What all benches share would bring them all.
+        # All benches import the shared code of `gateware/bench`, so that a change of it would select every bench.
         if Path(path).parent.as_posix() not in _TOPS or Path(path).name.startswith("test_"):
             users += _tests_of(path)
     return users
 
 
 def _naming(name: str) -> list[str]:
-    """Return the tests that name a file."""
+    """Return the tests whose source contains the name of a file."""
     return [path for path in _test_files(*_TOPS) if re.search(rf"\b{re.escape(name)}\b", (ROOT / path).read_text())]
 
 
@@ -129,13 +130,13 @@ def _test_files(*folders: str, tests_only: bool = True) -> list[str]:
 
 
 def marks_of(files: list[str]) -> str:
-    """Return which tests are run, as an expression of pytest: compiled gateware where the change is in it."""
+    """Return the expression for `pytest -m`: tests of compiled gateware run only if a changed file belongs to it."""
     of_gateware = any(file.startswith("gateware/") or "rtl" in file for file in files)
     return QUICK if of_gateware else f"{QUICK} and not rtl"
 
 
 def main() -> int:
-    """Run the tests of a change, and return the exit code of pytest."""
+    """Run the tests of the changed files; return the exit code of pytest."""
     files = changed_files(next((argument for argument in sys.argv[1:2] if argument), None))
     paths = tests_of(files)
     print(f"{len(files)} changed files, tests of: {' '.join(paths)}", flush=True)  # noqa: T201  (a command for people)

@@ -1,6 +1,6 @@
 """Checks the subject of a commit: ``python commit_message.py FILE``, for the hook that `make hooks` installs.
 
-The subject is the first paragraph of the message, as git takes it, and has at most `LONGEST` characters.
+The subject is the first paragraph of the message, as in git, and has at most `LONGEST` characters.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 LONGEST = 72
-# git joins these commits to others later, and drops their subjects.
+# git squashes these commits into others, and drops their subjects.
 _TEMPORARY = ("fixup! ", "squash! ", "amend! ")
 _HOOK = """\
 #!/bin/sh
@@ -22,10 +22,10 @@ check="$(git rev-parse --show-toplevel)/tests/support/commit_message.py"
 
 
 def fault_of(message: str) -> str | None:
-    """Return the fault of the subject of a message, or None.
+    """Return a sentence on the fault of a subject, or None if the subject is right.
 
     Args:
-        message: without comments.
+        message: the whole message of the commit, without comments.
     """
     lines = message.strip().partition("\n\n")[0].split("\n")
     subject = " ".join(lines)
@@ -38,7 +38,7 @@ def fault_of(message: str) -> str | None:
 
 
 def install(root: Path) -> str:
-    """Write the hook of a checkout, and return a sentence about it; a hook of the user's own stays as it is.
+    """Write the commit-msg hook of a checkout unless the user has one; return a sentence on the result.
 
     Args:
         root: folder of the checkout.

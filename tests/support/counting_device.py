@@ -1,10 +1,10 @@
-"""A device behind a virtual gateway whose every sample is another one, so that none can be taken for the next."""
+"""A device of which each read, and so each sample, has another value."""
 
 from __future__ import annotations
 
 
 class CountingDevice:
-    """A device that counts its reads, so that no two samples are the same."""
+    """A device that counts its reads, so that no two samples are equal."""
 
     def __init__(self) -> None:
         self.count = 0

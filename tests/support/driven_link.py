@@ -1,7 +1,8 @@
-"""Links of programs in other languages, as the suite of all faces uses them: the methods of a link.
+"""Links of programs in other languages, with the methods of a link in Python, for the tests of every API.
 
-Each is a command to a program that was compiled once, or a script, and its answer: `tests/generate/driver.c` has the
-commands, `driver.cc` and `driver.m` the same for their languages.
+Each call sends one command to a compiled program or a script, and reads one line as its answer.
+`tests/generate/driver.c`
+defines the commands; `driver.cc` and `driver.m` implement the same commands in their languages.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
 PATIENCE = 30.0
-"""Seconds for a sample."""
+"""Seconds to wait for a sample."""
 _KINDS: dict[str, type[Exception]] = {
     "4": BusError,
     "5": BusTimeoutError,
@@ -57,7 +58,7 @@ _OUTCOMES = {
 
 
 class DrivenSample(NamedTuple):
-    """A sample."""
+    """A sample that a program has received."""
 
     sequence: int
     lost: int
@@ -68,7 +69,7 @@ class DrivenLink:
     """A link of a program.
 
     Args:
-        do: has the program do a command, and returns its answer.
+        do: sends a command to the program, and returns its answer.
         url: of the gateway.
     """
 
@@ -91,7 +92,7 @@ class DrivenLink:
 
     async def _call(self, command: str, *given: str | int) -> list[int]:
         line = " ".join([command, *(one if isinstance(one, str) else f"{one:X}" for one in given)])
-        # The gateway may be in this thread's event loop.
+        # Call the program in a thread: the gateway may run in this thread's event loop.
         status, _, rest = (await asyncio.to_thread(self._do, line)).partition(" ")
         if status != "0":
             raise _error(status, rest)
@@ -163,7 +164,7 @@ class DrivenSubscription:
 
 
 def _error(status: str, sentence: str) -> Exception:
-    """Return the error of Python for an answer."""
+    """Return the Python exception for an error that a program has reported."""
     if not _LOST.fullmatch(status):
         return _KINDS[status](sentence)
     outcome = next((known for words, known in _OUTCOMES.items() if words in sentence), Outcome.UNKNOWN)

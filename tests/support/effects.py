@@ -1,4 +1,4 @@
-"""A robot with every effect that accesses can have: a program asks it for events, and counts its pulses."""
+"""A robot with every kind of access effect. A program requests events by a write to `make`; `shots` counts pulses."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ ALL = info_of(generics_of(SPEC.interface())).features
 
 
 class Effects(SimulatedRobot):
-    """Makes the events that are asked for, and counts pulses."""
+    """Makes the requested events, and counts pulses."""
 
     def written(self, path: str, value: Any) -> None:
         if path == "make":
@@ -49,12 +49,12 @@ class Effects(SimulatedRobot):
 
 
 def effects_gateway(features: Feature = ALL) -> SimulatedGateway[Any]:
-    """Return the robot behind a gateway that is built with features."""
+    """Return the robot with a gateway that has the given features."""
     interface = SPEC.interface()
     info = msgspec.structs.replace(info_of(generics_of(interface)), features=features)
     return SimulatedGateway(VirtualGateway(info), make_robot(interface, Effects))
 
 
 def events(seen: int = 0, hit: int = 0, alarm: int = 0, lost: int = 0) -> int:
-    """Return what has the robot make these events."""
+    """Return the word that makes these events if it is written to `make`."""
     return seen | hit << 8 | alarm << 9 | lost << 11

@@ -1,6 +1,6 @@
-"""Devices that give each event once, to the read that clears it: a queue of numbers, and a register.
+"""Devices that return each event once, to the read that clears it: a queue of numbers, and a register.
 
-Writes to them fail.
+Writes to these devices fail.
 """
 
 from __future__ import annotations
@@ -12,11 +12,11 @@ from collections import deque
 from unity_link.virtual.faults import Failing
 
 QUEUE, CLEARED = 0xD0, 0xD4
-"""Addresses at which tests attach them."""
+"""Addresses at which tests attach the two devices."""
 
 
 class Numbers(Failing):
-    """A queue that gives each number once."""
+    """A queue that returns each number once."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -27,7 +27,7 @@ class Numbers(Failing):
 
 
 class Cleared(Failing):
-    """A register that has other events after each read, which clears what it gives."""
+    """A register with random events. A read returns and clears them, and sets new ones."""
 
     def __init__(self) -> None:
         super().__init__()

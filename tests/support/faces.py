@@ -1,7 +1,6 @@
-"""The faces of a link that are no coroutines of asyncio, as the link's suite uses them.
+"""The blocking API and the API for trio, with the methods of a link in asyncio, for the tests of links.
 
-`Elsewhere` has the methods of a link, and has each call made where the face wants it: blocking calls in threads, those
-of trio in the thread that trio runs in.
+`Elsewhere` has the methods of a link. It makes blocking calls in threads, and those of trio in trio's own thread.
 """
 
 from __future__ import annotations
@@ -28,14 +27,14 @@ if TYPE_CHECKING:
 
 FACES = ("blocking", "trio")
 POSTS = 3000
-"""More than the posts after which the due time of a timer of uvloop was first asked for when that was past."""
+"""More posted writes than uvloop needed to ask a timer for its due time when that time had passed."""
 EMPTY = {
     ("blocking", "test_requests_are_executed_in_the_order_of_the_calls"): "threads call in no order",
     ("blocking", "test_only_one_task_reads_a_subscription"): "threads call in no order",
     ("blocking", "test_a_reader_that_was_cancelled_loses_no_sample"): "a call in a thread is not cancelled",
     ("blocking", "test_posted_writes_are_confirmed_without_a_fence"): "between two calls nothing runs",
 }
-"""Promises that a face does not make, and the reasons."""
+"""Tests of guarantees that an API does not give, and the reasons."""
 _connect = unity_link.connect
 _WORDS = ("read", "write", "write_masked", "post", "post_many", "fence")
 _CALLS = frozenset({*_WORDS, "read_many", "write_many", "send_immediate", "aclose"}) | {
@@ -44,11 +43,11 @@ _CALLS = frozenset({*_WORDS, "read_many", "write_many", "send_immediate", "aclos
 
 
 class Elsewhere:
-    """A link whose calls are made elsewhere.
+    """A link whose calls are made in another thread.
 
     Args:
-        link: has the methods.
-        call: has one called, and returns what it returns.
+        link: link of the other API.
+        call: calls a method in the thread that the API needs, and returns the result.
     """
 
     def __init__(self, link: Any, call: Callable[..., Any]) -> None:
@@ -72,7 +71,7 @@ class Elsewhere:
 
 
 class ElsewhereSubscription:
-    """A subscription whose calls are made elsewhere."""
+    """A subscription whose calls are made in another thread."""
 
     def __init__(self, subscription: Any, call: Callable[..., Any]) -> None:
         self._subscription = subscription
@@ -82,7 +81,7 @@ class ElsewhereSubscription:
         return getattr(self._subscription, name)
 
     def _method(self, name: str) -> Callable[..., Any]:
-        # Either face refuses the names of the other one.
+        # Use the name that this API has: the other API refuses it.
         is_blocking = isinstance(self._subscription, blocking.BlockingSubscription)
         found: Callable[..., Any] = getattr(self._subscription, name.replace("__a", "__", 1) if is_blocking else name)
         return found
@@ -112,7 +111,7 @@ class ElsewhereSubscription:
 
 
 class Connecting:
-    """Result of `unity_link.connect`."""
+    """The object that `unity_link.connect` returns: it can be awaited, and used as a context."""
 
     def __init__(self, opening: Callable[[AsyncExitStack], Any]) -> None:
         self._opening = opening
@@ -138,7 +137,7 @@ class Connecting:
 
 @contextmanager
 def face(name: str, folder: Path) -> Iterator[Callable[..., Any]]:
-    """Yield what stands in for `unity_link.connect`; gateways of the test stay in its event loop, behind a socket."""
+    """Yield a substitute for `unity_link.connect`; the gateways of a test stay in its event loop and serve a socket."""
     numbers = itertools.count()
 
     async def url_of(target: Any, stack: AsyncExitStack) -> Any:
@@ -149,13 +148,14 @@ def face(name: str, folder: Path) -> Iterator[Callable[..., Any]]:
     with start_blocking_portal("trio") as portal:
 
         async def call_blocking(function: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
-            # A thread that is over when the call is, as a task of trio: so a fence is told of the posts of other calls.
+            # Run each call in a new thread. It has ended before the next fence, as a task of trio would have: that
+            # fence raises the errors of its posted writes.
             thread = ThreadPoolExecutor(1)
             answer = thread.submit(function, *arguments, **options)
             try:
                 return await asyncio.wrap_future(answer)
             finally:
-                # One that was cancelled goes on by itself.
+                # A cancelled call goes on in its thread.
                 thread.shutdown(wait=answer.done())
 
         async def call_trio(function: Callable[..., Any], *arguments: Any) -> Any:
@@ -187,7 +187,7 @@ def face(name: str, folder: Path) -> Iterator[Callable[..., Any]]:
 
 
 async def use(connect: Callable[[str], Any], url: str) -> None:
-    """Make each kind of call over a link."""
+    """Make each kind of call on a link."""
     async with connect(url) as link:
         await link.write(0x0A, 42)
         assert await link.read(0x0A) == 42
@@ -208,7 +208,7 @@ async def use(connect: Callable[[str], Any], url: str) -> None:
             taken = [await anext(samples) for _ in range(20)]
         lost = list(itertools.accumulate(sample.lost for sample in taken))
         assert [sample.sequence for sample in taken] == [number + before for number, before in enumerate(lost)]
-        # Only a timer of the host may be late.
+        # A sample is lost only if the host polls (`mmio:`) and its timer is late.
         assert not lost[-1] or url.startswith("mmio:")
         assert [sample.values.tolist() for sample in taken] == [[0xF2, 3]] * 20
         assert await link.read(2) == 3

@@ -1,4 +1,4 @@
-"""Bytes that fill a line in place of answers."""
+"""Bytes that fill a line instead of answers."""
 
 from __future__ import annotations
 
@@ -12,4 +12,4 @@ FLOODS = {
     "errors about damage": Framing(Crc()).checked(b"X01") * 200,
     "one line without an end": b"U" * 4000,
 }
-"""Bytes of each kind, which come again and again."""
+"""Sequences of bytes that a line repeats without end, by their names."""

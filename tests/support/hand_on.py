@@ -1,4 +1,4 @@
-"""Hands on between its pipes and a Unix socket: ``hand_on.py PATH``."""
+"""Forwards bytes between its standard streams and a Unix socket: ``hand_on.py PATH``."""
 
 import os
 import socket
@@ -7,7 +7,7 @@ import threading
 
 
 def hand_on_input(connection: socket.socket) -> None:
-    """Hand on what comes in, until it ends."""
+    """Forward the bytes of stdin until its end."""
     while data := os.read(0, 65536):
         connection.sendall(data)
     connection.shutdown(socket.SHUT_WR)

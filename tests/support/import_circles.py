@@ -1,4 +1,4 @@
-"""Finds modules of a package that import each other, in functions and for types as well."""
+"""Finds circular imports in a package, also those within functions and for types only."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def circles(package: Path) -> list[list[str]]:
-    """Return the groups of modules of which each imports, through others, all of its group."""
+    """Return the groups of modules that import each other directly or through others."""
     paths = {_name(path, package): path for path in package.rglob("*.py")}
     imports = {name: set(_imports(path, paths.keys())) - {name} for name, path in paths.items()}
     reached = {name: _reached(name, imports) for name in imports}
@@ -34,7 +34,7 @@ def _imports(path: Path, modules: Container[str]) -> Iterator[str]:
 
 
 def _reached(start: str, imports: dict[str, set[str]]) -> set[str]:
-    """Return all modules that one imports, by itself or through others."""
+    """Return all modules that a module imports, directly or through others."""
     reached: set[str] = set()
     waiting = list(imports[start])
     while waiting:

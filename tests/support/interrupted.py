@@ -1,4 +1,4 @@
-"""Runs a command, sends it a signal at some instant, and finds what is left of it: processes, files, folders, locks."""
+"""Runs a command, sends it a signal after a time, and lists its remains: processes, files, folders, locks."""
 
 from __future__ import annotations
 
@@ -17,45 +17,45 @@ if TYPE_CHECKING:
 
 _MARK = "UNITY_LINK_INTERRUPTED"
 _PATIENCE = 60.0
-"""Seconds after which a command, or what it has left, is taken for one that stays."""
+"""Seconds to wait for the end of a command, and for its remains to vanish."""
 _LOOK = 0.01
 _CACHE_OF_YOWASP = os.environ.get("YOWASP_CACHE_DIR", platformdirs.user_cache_dir("YoWASP", appauthor=False))
-"""Compiled tools of YoWASP: compiling them takes a minute, and is no work of ours."""
+"""Compiled tools of YoWASP, shared by all runs, because compiling them takes a minute."""
 _CACHE_OF_TOOLS = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache"), "unity-link", "tools")
 
 
 class Left(NamedTuple):
-    """What a command that a signal ended has left."""
+    """Remains of a command that a signal has ended."""
 
     processes: list[str]
-    """Command lines."""
+    """Command lines of processes that still run."""
     files: list[str]
-    """Unfinished files, temporary folders and locks, by their paths below the place of the command."""
+    """Unfinished files, temporary folders and locks, by their paths relative to the folder of the command."""
     said: str
     """Text that the command printed on stderr."""
     status: int
 
 
 class Place:
-    """A folder with all that commands write to: the working folder, the cache, temporary files."""
+    """A folder with all folders that commands write to: the working folder, the cache, temporary files."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.work, self.cache, self.temporary = folder / "work", folder / "cache", folder / "temporary"
         for made in (self.work, self.cache / "unity-link", self.temporary):
             made.mkdir(parents=True)
-        # A GHDL that was fetched is not fetched again.
+        # Reuse a GHDL that was downloaded before.
         if _CACHE_OF_TOOLS.exists():
             (self.cache / "unity-link" / "tools").symlink_to(_CACHE_OF_TOOLS)
 
     def interrupt(self, command: Sequence[str], after: float, number: signal.Signals, *, group: bool = False) -> Left:
-        """Run a command, and send it a signal so many seconds after its start, unless it has ended.
+        """Run a command and send it a signal, unless the command has ended before; return its remains.
 
         Args:
             command: the command line.
-            after: seconds.
+            after: seconds from the start to the signal.
             number: the signal.
-            group: whether its whole process group gets the signal, as by Ctrl-C in a terminal.
+            group: if True, the whole process group gets the signal, as by Ctrl-C in a terminal.
         """
         mark = secrets.token_hex(8)
         environment = {
@@ -104,7 +104,7 @@ class Place:
 
 
 def _marked(mark: str) -> list[str]:
-    """Return the command lines of processes with a mark in their environment."""
+    """Return the command lines of the processes that have a mark in their environment."""
     wanted = f"{_MARK}={mark}".encode()
     found = []
     for folder in Path("/proc").iterdir():
@@ -112,6 +112,6 @@ def _marked(mark: str) -> list[str]:
             if folder.name.isdigit() and wanted in (folder / "environ").read_bytes().split(b"\0"):
                 found.append((folder / "cmdline").read_bytes().replace(b"\0", b" ").decode(errors="replace"))
         except OSError:
-            # It has ended, or belongs to another user.
+            # The process has ended, or belongs to another user.
             continue
     return found

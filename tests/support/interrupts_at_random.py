@@ -1,8 +1,9 @@
-"""Programs that signals interrupt at random instants, sent by another process as a terminal or `kill` sends them.
+"""Interrupts programs at random instants by signals from another process, as a terminal or `kill` sends them.
 
-A program says with a byte when it may be interrupted, and writes 0 in its `finally`. What it reports at its end is what
-went wrong: another exception than that of the handler, a write that was not executed, a thread that died. A program
-that stands still is an error, with the stacks of its threads.
+A program writes a byte when it may be interrupted, and 0 in its `finally`. At its end it prints what went wrong:
+another exception than that of the handler, a write that was not executed, a thread that died. A program that hangs is
+an
+error, and the stacks of its threads are printed.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 LONGEST = 0.003
-"""Seconds from the byte to the signal, at most."""
+"""Longest time from the byte to the signal, in seconds."""
 PATIENCE = 60.0
-"""Seconds after which a program that says nothing stands still."""
+"""Seconds without output after which a program is considered to hang."""
 SPEC = """group state(RATE=1000, TIMESTAMPS);
 public rover() {
   GATEWAY(ADDRESS_BITS=12);
@@ -306,16 +307,16 @@ with blocking.connect(url) as checker:
 def interrupt(
     program: str, url: str, rounds: int, *, way: str, beside: str = "", seed: int = 1, folder: Path | None = None
 ) -> str:
-    """Interrupt a program at random instants, and return what it reports.
+    """Interrupt a program at random instants; return its output.
 
     Args:
-        program: its text.
+        program: source of the program.
         url: of its gateway.
-        rounds: signals to be sent.
-        way: name of the signal; SIGALRM is that of the program's own timer.
-        beside: what another thread of the program does.
-        seed: of the instants.
-        folder: of the program.
+        rounds: number of signals.
+        way: name of the signal; with SIGALRM the program sets its own timer.
+        beside: work of another thread of the program: "computing", "reading", or empty for none.
+        seed: of the random instants.
+        folder: working folder of the program.
     """
     chance = random.Random(seed)
     readable, writable = os.pipe()

@@ -1,4 +1,4 @@
-"""`unity-link live` running, and what a page says and hears, without a browser."""
+"""Runs `unity-link live`, and replaces the page in a browser by a client of its WebSocket."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Live(NamedTuple):
 
     process: subprocess.Popen[str]
     url: str
-    """With the token."""
+    """Address of the page, with the token."""
 
     @property
     def address(self) -> str:
@@ -51,7 +51,7 @@ class Live(NamedTuple):
 
 @contextmanager
 def live(*arguments: str, begins: str = "\0") -> Iterator[Live]:
-    """Run it; nothing may be on stderr that a test has not read, but lines that begin with `begins`."""
+    """Run `unity-link live`. At the end, fail if stderr has an unread line that does not begin with `begins`."""
     command = [PROGRAM, "live", *arguments]
     if "--browser" not in arguments:
         command.append("--no-browser")
@@ -73,7 +73,7 @@ def live(*arguments: str, begins: str = "\0") -> Iterator[Live]:
 
 @contextmanager
 def gateway(path: Path, *arguments: str) -> Iterator[str]:
-    """Serve a gateway at a Unix socket, until the end of the context; then it is gone at once."""
+    """Serve a gateway on a Unix socket; kill it at the end of the context."""
     command = [PROGRAM, *arguments, "--unix", str(path)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as process:
         try:
@@ -85,7 +85,7 @@ def gateway(path: Path, *arguments: str) -> Iterator[str]:
 
 @contextmanager
 def looking(at: Live, *, origin: str | None = "own", token: str | None = None) -> Iterator[ClientConnection]:
-    """Be a page, without a browser."""
+    """Open the WebSocket of a page; yield the connection."""
     said = f"http://{at.host}" if origin == "own" else origin
     named = None if said is None else Origin(said)
     with connect(f"ws://{at.host}/samples", origin=named, max_size=None) as connection:
@@ -95,7 +95,7 @@ def looking(at: Live, *, origin: str | None = "own", token: str | None = None) -
 
 
 def hear(connection: ClientConnection, kind: str) -> Any:
-    """Wait for a message of a kind."""
+    """Return the next message of a kind; skip other messages."""
     deadline = time.monotonic() + PATIENCE
     while time.monotonic() < deadline:
         data = connection.recv(timeout=PATIENCE)
@@ -105,16 +105,16 @@ def hear(connection: ClientConnection, kind: str) -> Any:
 
 
 class Samples(NamedTuple):
-    """A message of samples."""
+    """A message with samples."""
 
     sent: float
-    """Seconds since 1970."""
+    """Seconds since 1970 at which the server sent the message."""
     dropped: int
     tables: dict[int, list[np.ndarray[Any, Any]]]
 
 
 def take(connection: ClientConnection, about: Any) -> Samples:
-    """Wait for samples."""
+    """Return the next message with samples."""
     columns = [sum(known["stream"] == number for known in about["signals"]) for number in range(len(about["streams"]))]
     while True:
         data = connection.recv(timeout=PATIENCE)
@@ -143,7 +143,7 @@ def write(connection: ClientConnection, path: str, value: object, number: int = 
 
 
 class Sleeper:
-    """A page that shakes hands, and then reads nothing until it is told to; what it says is up to the test."""
+    """A client that opens the WebSocket, and then reads only when the test asks it to."""
 
     def __init__(self, running: Live) -> None:
         host, _, port = running.host.partition(":")
@@ -158,13 +158,13 @@ class Sleeper:
         assert head.startswith(b"HTTP/1.1 101")
 
     def say(self, kind: int, data: bytes, *, last: bool = True) -> None:
-        """Send a frame of WebSocket, of the opcode `kind`."""
+        """Send a WebSocket frame with the opcode `kind`."""
         length = bytes([0x80 | len(data)]) if len(data) < 126 else b"\xfe" + struct.pack(">H", len(data))
-        # A mask of zeros leaves the data as it is.
+        # Send a mask of zeros, which leaves the data unchanged.
         self.socket.sendall(bytes([kind | 0x80 * last]) + length + bytes(4) + data)
 
     def next_dropped(self) -> int:
-        """Read up to the next message of samples; return how many it says were dropped."""
+        """Read up to the next message with samples; return the number of dropped samples that it reports."""
         while True:
             kind, length = self.receive(2)
             if length == 126:
@@ -201,13 +201,13 @@ def handshake(host: str) -> bytes:
 
 
 def memory_of(process: int) -> int:
-    """Return the bytes that a process has in memory."""
+    """Return the resident memory of a process in bytes."""
     (line,) = (line for line in Path(f"/proc/{process}/status").read_text().splitlines() if line.startswith("VmRSS"))
     return 1024 * int(line.split()[1])
 
 
 def connections_of(process: int) -> int:
-    """Count the sockets that a process has open."""
+    """Return the number of sockets that a process has open."""
     count = 0
     for file in Path(f"/proc/{process}/fd").iterdir():
         with suppress(FileNotFoundError):

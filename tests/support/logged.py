@@ -1,4 +1,4 @@
-"""Errors that no call can raise, as the library logs them."""
+"""Errors that no call can raise, which the library logs instead."""
 
 from __future__ import annotations
 
@@ -9,5 +9,5 @@ if TYPE_CHECKING:
 
 
 def told(caplog: pytest.LogCaptureFixture) -> list[tuple[str, BaseException | None]]:
-    """Return the messages and exceptions that were logged with a traceback."""
+    """Return the messages and exceptions of all log records with a traceback."""
     return [(record.message, record.exc_info[1]) for record in caplog.records if record.exc_info]

@@ -1,7 +1,7 @@
-"""Makers of gateways for tests that run on each kind of them: the model, and the compiled gateware.
+"""Factories of gateways, for tests that run on the model and on the compiled gateware.
 
-The gateware has few configurations. A maker is told only the fields that a test needs, and gives a gateway that has
-these; `on_each_kind` is for a test that needs more configurations than were compiled.
+The gateware is compiled in a few configurations only. A factory gets the fields that a test needs, and makes a gateway
+that has them. `on_each_kind` is for a test with more configurations than were compiled.
 """
 
 from __future__ import annotations
@@ -22,29 +22,29 @@ if TYPE_CHECKING:
     from unity_link.virtual import BareGateway
 
 BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
-"""Addresses of which every access fails, in a gateway `with_failing`."""
+"""Addresses at which every access fails, for a gateway that `with_failing` has changed."""
 CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
 COMPACT = {"features": GatewayInfo().features | Feature.COMPACT, **CRC_32}
 SHORT = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": 0x07}
-"""The shortest frames, which are those of the paper."""
+"""Fields for the shortest frames, those of the paper."""
 SLOW = {"base_frequency_millihertz": 1_000_000}
-"""Samples at 1 kHz at most: what tests on simulated time run with."""
+"""Fields for samples at 1 kHz at most, as tests on simulated time use them."""
 KINDS = ("sim", "rtl", "ftdi", "ftdi-async")
 RTL = pytest.param("rtl", marks=pytest.mark.rtl)
 SELDOM = {"bare_groups", "minimal", "odd", "uart", "wide"}
-"""Builds that `make test-all` does not run: each takes half a minute to compile, and few tests need it."""
+"""Builds for the campaign only: each takes half a minute to compile, and few tests need it."""
 
 
 def build_params(names: Iterable[str]) -> list[object]:
-    """Return the names of builds, for a parametrised test; on those of `SELDOM` it is for the campaign."""
+    """Return the names of builds for a parametrised test; those in `SELDOM` get the mark `campaign`."""
     return [pytest.param(name, marks=[pytest.mark.campaign] if name in SELDOM else []) for name in names]
 
 
 class Maker(Protocol):
-    """Makes gateways of one kind, fresh from reset, with zeros in the memory behind them."""
+    """Makes gateways of one kind, in the state after reset, with a bus of zeros."""
 
     def __call__(self, **fields: int) -> BareGateway:
-        """Make a gateway whose `GatewayInfo` has these fields."""
+        """Return a gateway whose `GatewayInfo` has these fields."""
 
 
 def simulated(**fields: int) -> BareGateway:
@@ -57,12 +57,12 @@ def compiled(**fields: int) -> BareGateway:
 
 
 def in_flight(gateway: GatewayInfo) -> int:
-    """Return how many requests with an ID may be under way: half of all IDs."""
+    """Return how many requests with an ID may be in flight: half of the sequence space."""
     return 1 << 4 * gateway.id_digits - 1
 
 
 def with_failing(gateway: BareGateway) -> BareGateway:
-    """Add a device by which every access of two addresses fails."""
+    """Let every access to `BUS_ERROR` and `BUS_TIMEOUT` fail; return the gateway."""
     gateway.detach([BUS_ERROR, BUS_TIMEOUT])
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [BUS_ERROR])
     gateway.attach(Failing(ErrorCode.BUS_TIMEOUT), [BUS_TIMEOUT])
@@ -73,8 +73,8 @@ def on_each_kind(values: Sequence[dict[str, int]], compiled: Collection[int]) ->
     """Parametrise a test by `make_gateway` and `fields`.
 
     Args:
-        values: of `fields`.
-        compiled: places in `values` of those that the gateware was compiled with.
+        values: the values of `fields`.
+        compiled: indexes of those values that the gateware was compiled with.
     """
     cases = [
         pytest.param(kind, fields, marks=[pytest.mark.rtl] if kind == "rtl" else [], id=f"{kind}-{_text(fields)}")

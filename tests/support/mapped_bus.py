@@ -1,4 +1,4 @@
-"""A bus that is mapped into memory: a file, which a test and a link share."""
+"""A bus that is mapped into memory: a file that a test and a link share."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ EMPTY = {
     "test_the_error_for_a_missing_feature_names_it": CONFIGURATION,
     "test_timestamps_are_used_if_the_gateway_has_them": CONFIGURATION,
 }
-"""Promises that a mapped bus does not make, and the reasons."""
+"""Tests of guarantees that a mapped bus does not give, and the reasons."""
 _connect = unity_link.connect
 
 
@@ -67,7 +67,7 @@ class _Words(MutableMapping[int, int]):
 
 
 class FileGateway:
-    """Test's view of a mapped bus of 256 words, with the methods of a gateway."""
+    """A mapped bus of 256 words as the test accesses it, with the methods of a gateway."""
 
     def __init__(self, path: Path) -> None:
         path.write_bytes(bytes(1024))
@@ -76,7 +76,7 @@ class FileGateway:
         self.memory = _Words(path)
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
-        """Do nothing: no test that needs a device is run on this."""
+        """Do nothing: tests that need a device are not run on a mapped bus."""
 
     def detach(self, addresses: Iterable[int]) -> None:
         """Do nothing."""
@@ -84,7 +84,7 @@ class FileGateway:
 
 @contextmanager
 def mapped_files(folder: Path) -> Iterator[tuple[Maker, Callable[..., Any]]]:
-    """Yield what makes mapped buses, and what stands in for `unity_link.connect`."""
+    """Yield a factory of mapped buses, and a substitute for `unity_link.connect`."""
     numbers = itertools.count()
 
     def make(**_: int) -> BareGateway:

@@ -1,6 +1,6 @@
-"""A gateway as a program, ``noting_gateway.py SOCKET NOTES``: what is written at 0x20 it writes down, line by line.
+"""A gateway as a program, ``noting_gateway.py SOCKET NOTES``: it appends each word written to 0x20 to a file.
 
-It samples `SPEC`; at 0x21 its bus refuses every access.
+It samples the signals of `SPEC`; its bus refuses every access to 0x21.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ NOTED, REFUSED = 0x20, 0x21
 
 
 class Noting:
-    """A device that appends to a file what is written to it: at once, so that it outlives the program."""
+    """A device that appends each written word to a file at once, so that no word is lost if the program is killed."""
 
     def __init__(self, notes: str) -> None:
         self._file = os.open(notes, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
@@ -40,7 +40,7 @@ class Noting:
 
 
 class Refusing:
-    """A device that takes nothing."""
+    """A device that refuses every access."""
 
     def read(self, offset: int, now: float) -> int:
         raise AccessError(ErrorCode.BUS_ERROR)

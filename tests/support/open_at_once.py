@@ -1,4 +1,4 @@
-"""A session that is open from the first instant on, without a handshake."""
+"""A session that is open from the beginning, without a handshake."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def open_at_once(
     first: int = 0,
     round_trip: float | None = None,
 ) -> ResponseReceiver:
-    """Open a session as a handshake would, with group 1 set up for samples of one word; return what reads in it."""
+    """Open a session with group 1 set up for samples of one word; return its response receiver."""
     known = {"session": number, "first": first, "round_trip": round_trip}
     handshake = SimpleNamespace(
         codec=HostCodec(info, node), byte_time=0.0, compact=False, has_echo=False, line_changes_bytes=False, **known

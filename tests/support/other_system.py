@@ -1,7 +1,7 @@
-"""Import all of the package as on Windows, or macOS, and read and write there: run by test_platforms.py.
+"""Import the whole package as if on Windows or macOS, read and write there: run by test_platforms.py.
 
-What these systems have not is taken away before the first import. This shows that nothing is asked of a system when
-a module is imported, and which parts do without; it is no Windows.
+Before the first import, this program removes the modules and functions that these systems lack. It shows that no module
+needs them when it is imported, and which features do without them; it does not replace a test on Windows.
 """
 
 import asyncio
@@ -16,7 +16,7 @@ import sys
 import threading
 
 OTHERS = ("anyio._backends._asyncio", "numpy", "serial", "serial_asyncio_fast", "trio", "typer")
-"""Modules that look at the system when they are imported, and are none of ours."""
+"""Modules of other projects that inspect the system when they are imported."""
 MODULES = {
     "win32": ("fcntl", "termios", "pty", "tty", "resource", "grp", "pwd", "syslog"),
     "darwin": (),
@@ -32,7 +32,7 @@ NAMES = {
 
 
 def pair_by_tcp() -> tuple[socket.socket, socket.socket]:
-    """Return what ``socket.socketpair`` returns on Windows."""
+    """Return two connected sockets, as ``socket.socketpair`` does on Windows."""
     with socket.create_server(("127.0.0.1", 0)) as server:
         one = socket.create_connection(server.getsockname())
         return one, server.accept()[0]
@@ -63,20 +63,20 @@ def blocking_answers(urls: list[str]) -> list[int]:
 
 
 def faults() -> dict[str, str]:
-    """Return which modules cannot be imported, and why."""
+    """Return the modules that cannot be imported, with the reasons."""
     import unity_link
 
     found = {}
     for module in pkgutil.walk_packages(unity_link.__path__, "unity_link."):
         try:
             importlib.import_module(module.name)
-        except Exception as error:  # noqa: BLE001  (it is told)
+        except Exception as error:  # noqa: BLE001  (any fault is reported)
             found[module.name] = f"{type(error).__name__}: {error}"
     return found
 
 
 def main() -> None:
-    """Print as JSON what came of it."""
+    """Print the results as JSON."""
     system, *urls = sys.argv[1:]
     for other in OTHERS:
         importlib.import_module(other)

@@ -1,4 +1,4 @@
-"""Links to gateways of this process over a user's own medium: the example's pipes, to a program that hands bytes on."""
+"""Links to gateways of this process over the medium of an example: pipes to a program that forwards the bytes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ PROGRAM = Path(__file__).with_name("hand_on.py")
 
 
 class _OnlyClient(_Client):
-    """The program, with which the gateway's side ends."""
+    """The only client of a gateway: the gateway's side ends with it."""
 
     def __init__(self, gateway: Gateway) -> None:
         super().__init__(ClientCounter(gateway))
@@ -37,13 +37,13 @@ class _OnlyClient(_Client):
 
 
 async def connect_through_pipes(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Connect a protocol to a gateway through the pipes of a program, in place of `Gateway.open`."""
+    """Connect a protocol to a gateway through the pipes of a program; a substitute for `Gateway.open`."""
     client = _OnlyClient(gateway)
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "gateway")
         # From Python 3.12 on, `async with` would wait for the end of the connection.
         with contextlib.closing(await asyncio.get_running_loop().create_unix_server(lambda: client, path)):
-            # Without the site packages the program starts sooner.
+            # Python starts sooner without the site packages.
             command = shlex.join([sys.executable, "-I", "-S", str(PROGRAM), path])
             transport = await open_medium(parse_url(f"pipes:{command}"), protocol)
             await client.accepted.wait()

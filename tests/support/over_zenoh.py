@@ -1,4 +1,4 @@
-"""Links to gateways of this process that go over Zenoh: a bridge's streams at one session, the driver with another."""
+"""Links to gateways of this process over Zenoh: the streams of a bridge on one session, the driver on another."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @contextmanager
 def zenoh_network() -> Iterator[Callable[[Gateway, asyncio.Protocol], Awaitable[asyncio.Transport]]]:
-    """Return what connects a protocol to a gateway over Zenoh, in place of `Gateway.open`."""
+    """Yield a function that connects a protocol to a gateway over Zenoh; a substitute for `Gateway.open`."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         endpoint = f"tcp/127.0.0.1:{free.getsockname()[1]}"
     session = open_session(Network(listen=(endpoint,)))
@@ -38,7 +38,7 @@ def zenoh_network() -> Iterator[Callable[[Gateway, asyncio.Protocol], Awaitable[
         over = transport._over
 
         def end() -> None:
-            # Now, rather than when the news come: the loop of the test may have ended by then.
+            # Close now, not when Zenoh reports the end: the event loop of the test may have ended by then.
             streams.close()
             over()
 

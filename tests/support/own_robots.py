@@ -1,6 +1,6 @@
-"""Robots of the examples as a user would simulate them, and where they are: for what is to run on a robot of one's own.
+"""Robots of the examples as a user would simulate them, and their specs: for tests of a user's own robot.
 
-Their joints begin to move by themselves, as far as nobody has told them where to.
+Their joints move by themselves until a program writes to them.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 
 class Own(NamedTuple):
-    """Folder of a robot of one's own, and the signals that a test takes."""
+    """Spec and URL of a user's own robot, and the signals that a test uses."""
 
     spec: str
     url: str
@@ -34,7 +34,7 @@ OWN = {
 
 
 class Jointed(SimulatedRobot):
-    """Joints that go to their set points at the speed that they are told."""
+    """Joints that move to their set points, each at the speed of its set point of speed."""
 
     step_seconds = 0.01
 
@@ -63,7 +63,7 @@ class Scara(Jointed):
 
     def start(self) -> None:
         super().start()
-        # On compiled gateware only programs set what they write, so the other robot does without.
+        # Only here: on compiled gateware (the other robot) only programs can write to a set point.
         for joint in self.joints():
             joint.spd_sp = 2
 

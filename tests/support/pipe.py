@@ -1,4 +1,4 @@
-"""Two ends of a connection in this process, with noise on the way."""
+"""Two connected ends in this process, with noise in each direction."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class NoisyEnd(PipeEnd):
-    """An end of which each write is spoiled."""
+    """An end that spoils each write by noise."""
 
     def __init__(self, protocol: asyncio.Protocol, noise: Noise | None) -> None:
         super().__init__(protocol)
@@ -26,7 +26,7 @@ class NoisyEnd(PipeEnd):
 def connect(
     one: asyncio.Protocol, other: asyncio.Protocol, there: Noise | None = None, back: Noise | None = None
 ) -> PipeEnd:
-    """Connect two protocols, and return the end of the first."""
+    """Connect two protocols; return the transport of the first."""
     end = NoisyEnd(one, there)
     connect_pipe(end, NoisyEnd(other, back))
     return end

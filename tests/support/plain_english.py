@@ -1,7 +1,8 @@
 """Counts phrases that a reader of the field has to translate: ``python -m support.plain_english``, for `make lint`.
 
-`plain_english.toml` has the phrases and the limits: phrases per 1,000 words for each folder, and the number of tests
-with long names. The check fails above a limit, and if a limit is higher than at the merge base with `main`.
+`plain_english.toml` has the phrases and the limits: phrases per 1,000 words for each folder, the number of tests with
+long names, and the number of lines in `unity_link` that switch off a check (`suppressions.py`). The check fails above a
+limit, and if a limit is higher than at the merge base with `main`.
 
     python -m support.plain_english            check all files
     python -m support.plain_english PATH...    list the phrases in files and folders, one a line
@@ -19,6 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from support.prose import pieces_of
+from support.suppressions import suppressions
 from support.tracked import tracked_files
 
 if TYPE_CHECKING:
@@ -28,7 +30,7 @@ ROOT = Path(__file__).parents[2]
 TABLE = "tests/support/plain_english.toml"
 _WORST_FILES = 5
 _TEST = re.compile(r"^\s*(?:async )?def (test_\w+)", re.MULTILINE)
-# A docstring states the work of a function or the meaning of a value: "Return ...", "Seconds until ...".
+# A docstring states the task of a function or the meaning of a value: "Return ...", "Seconds until ...".
 _QUESTION = re.compile(r"(?:What|Who|Whose|Whether|Where|How|When|Of|Have|Say|Tell|Give)\b")
 
 
@@ -36,19 +38,19 @@ class Found(NamedTuple):
     """A phrase in a file."""
 
     line: int
-    """Line in which its docstring, comment or page begins."""
+    """Line in which the docstring, comment or page of the phrase begins."""
     name: str
     text: str
     """The phrase and the words around it."""
 
 
 class Folder:
-    """Counts of the files that one limit is for."""
+    """Counts of the files that share one limit."""
 
     def __init__(self) -> None:
         self.words = 0
         self.phrases: dict[str, int] = {}
-        """Phrases in each file, by its path."""
+        """Number of phrases in each file, by its path."""
 
     @property
     def rate(self) -> float:
@@ -67,6 +69,7 @@ class Rules:
         self.ceilings: dict[str, float] = table["ceilings"]
         self.longest_test_name: int = table["longest_test_name"]
         self.long_test_names: int = table["long_test_names"]
+        self.suppressions: dict[str, int] = table.get("suppressions", {})
         self._vendored = [Path(name) for name in table["vendored"]]
         self._phrases = re.compile("|".join(f"({_pattern(phrase)})" for phrase in table["phrases"]))
         self.reasons = {phrase["name"]: phrase["reason"] for phrase in table["phrases"]}
@@ -83,7 +86,7 @@ class Rules:
             yield Found(line, names[(match.lastindex or 1) - 1], around)
 
     def count(self, paths: Iterable[Path], root: Path) -> dict[str, Folder]:
-        """Return the counts for each limit."""
+        """Return the counts of the files for each limit."""
         folders = {name: Folder() for name in self.ceilings}
         for path in paths:
             inside = path.relative_to(root)
@@ -122,18 +125,21 @@ def above(folders: Mapping[str, Folder], rules: Rules) -> Iterator[str]:
 
 
 def raised(rules: Rules, before: Rules) -> Iterator[str]:
-    """Yield a sentence for each limit that is higher than it was."""
+    """Yield a sentence for each limit that is higher in the new table."""
     for name, ceiling in rules.ceilings.items():
         if ceiling > before.ceilings.get(name, math.inf):
             yield f"{TABLE}: the ceiling of {name} is {ceiling}, and was {before.ceilings[name]}; it may only fall"
-    for name in ("longest_test_name", "long_test_names"):
-        now, then = getattr(rules, name), getattr(before, name)
-        if now > then:
-            yield f"{TABLE}: {name} is {now}, and was {then}; it may only fall"
+    numbers, numbers_before = (
+        {"longest_test_name": one.longest_test_name, "long_test_names": one.long_test_names, **one.suppressions}
+        for one in (rules, before)
+    )
+    for name, now in numbers.items():
+        if now > numbers_before.get(name, math.inf):
+            yield f"{TABLE}: {name} is {now}, and was {numbers_before[name]}; it may only fall"
 
 
 def at_merge_base(root: Path) -> Rules | None:
-    """Return the rules at the commit where the branch left `main`, or None if there is none."""
+    """Return the rules at the commit where the branch left `main`, or None without such a commit."""
     for branch in ("main", "origin/main"):
         base = _git(root, "merge-base", "HEAD", branch).strip()
         if base and (text := _git(root, "show", f"{base}:{TABLE}")):
@@ -155,19 +161,21 @@ def long_names(paths: Iterable[Path], longest: int) -> dict[str, Path]:
 
 
 def questions(folder: Path) -> Iterator[str]:
-    """Yield each docstring of a folder that begins as a question or an order, with its file and line."""
+    """Yield a sentence for each docstring of a folder that begins as a question or an order."""
     for path in sorted(folder.rglob("*.py")):
         for piece in pieces_of(path):
             if piece.is_summary and _QUESTION.match(piece.text):
                 yield f"{path}:{piece.line}: docstring asks or orders, write what it is: {piece.text}"
 
 
-def lowered(text: str, folders: Mapping[str, Folder], names: int) -> str:
+def lowered(text: str, folders: Mapping[str, Folder], names: int, switched_off: Mapping[str, int]) -> str:
     """Return a table with limits as low as the counts allow, rates rounded up to one decimal."""
     rules = read_rules(text)
     for name, folder in folders.items():
         rate = min(rules.ceilings[name], math.ceil(10 * folder.rate) / 10)
         text = re.sub(rf'(?m)^"{re.escape(name)}" = .*$', f'"{name}" = {rate}', text)
+    for name, limit in rules.suppressions.items():
+        text = re.sub(rf'(?m)^"{re.escape(name)}" = .*$', f'"{name}" = {min(limit, switched_off[name])}', text)
     return re.sub(r"(?m)^long_test_names = .*$", f"long_test_names = {min(rules.long_test_names, names)}", text)
 
 
@@ -179,8 +187,18 @@ def _list(rules: Rules, paths: Iterable[Path]) -> None:
                 print(f"{file}:{found.line}: {found.name}: ...{found.text}... {rules.reasons[found.name]}")  # noqa: T201
 
 
-def _faults(rules: Rules, folders: Mapping[str, Folder], names: Mapping[str, Path]) -> Iterator[str]:
+def too_many(switched_off: Mapping[str, int], rules: Rules) -> Iterator[str]:
+    """Yield a sentence for each way to switch off a check that more lines use than its limit allows."""
+    for name, limit in rules.suppressions.items():
+        if switched_off[name] > limit:
+            yield f"{switched_off[name]} lines of unity_link/ have `{name}`, at most {limit} may"
+
+
+def _faults(
+    rules: Rules, folders: Mapping[str, Folder], names: Mapping[str, Path], switched_off: Mapping[str, int]
+) -> Iterator[str]:
     yield from above(folders, rules)
+    yield from too_many(switched_off, rules)
     if len(names) > rules.long_test_names:
         limit = f"{len(names)} names of tests have more than {rules.longest_test_name} characters"
         yield f"{limit}, at most {rules.long_test_names} may; the longest are"
@@ -205,10 +223,12 @@ def main(arguments: list[str]) -> int:
         return 0
     paths = tracked_files(ROOT)
     folders, names = rules.count(paths, ROOT), long_names(paths, rules.longest_test_name)
+    switched_off = suppressions(paths, ROOT / "unity_link")
     if arguments:
-        table.write_text(lowered(table.read_text(encoding="utf-8"), folders, len(names)), encoding="utf-8")
+        text = lowered(table.read_text(encoding="utf-8"), folders, len(names), switched_off)
+        table.write_text(text, encoding="utf-8")
         return 0
-    faults = list(_faults(rules, folders, names))
+    faults = list(_faults(rules, folders, names, switched_off))
     print(*faults, sep="\n", end="\n" if faults else "")  # noqa: T201  (a command for people)
     return bool(faults)
 

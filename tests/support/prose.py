@@ -22,7 +22,7 @@ class Piece(NamedTuple):
     """Line of the file in which the docstring, comment or page begins."""
     text: str
     is_summary: bool = False
-    """True of the first paragraph of a docstring."""
+    """True for the first paragraph of a docstring."""
 
 
 _DOUBLE, _SINGLE, _BACKTICK = (rf"{mark}(?:\\[\s\S]|[^{mark}\\\n])*{mark}" for mark in "\"'`")
@@ -31,7 +31,7 @@ _BLOCK_COMMENT = r"(?P<block>/\*[\s\S]*?\*/)"
 
 
 def _comment(mark: str) -> str:
-    """Return the pattern of a comment from a mark to the end of the line, and of those on the next lines."""
+    """Return the pattern of a comment that begins with a mark, with the comments on the lines that follow directly."""
     return rf"(?P<prose>{mark}[^\n]*(?:\n[ \t]*{mark}[^\n]*)*)"
 
 
@@ -42,11 +42,11 @@ def _language(*alternatives: str) -> re.Pattern[str]:
 _C = _language(_DOUBLE, _SINGLE, _comment("//"), _BLOCK_COMMENT)
 _PYTHON = _language(_TRIPLE, _DOUBLE, _SINGLE, _comment("#"))
 _VERILOG = _language(_DOUBLE, _comment("//"), _BLOCK_COMMENT)
-# In shell and make a # inside a word is no comment.
+# In shell and make, `#` begins a comment only at the beginning of a word.
 _SHELL = _language(_DOUBLE, _SINGLE, _comment(r"(?<!\S)#"))
 _TCL = _language(_DOUBLE, _comment("#"))
 _MARKDOWN = re.compile(r"^[ >]*(```|~~~).*?^[ >]*\1[^\n]*$|<!--.*?-->", re.MULTILINE | re.DOTALL)
-# A template cannot be parsed as Python: docstrings are strings in triple quotes that begin a line.
+# A template cannot be parsed as Python; its docstrings are the strings in triple quotes at the beginning of a line.
 _PYTHON_TEMPLATE = _language(
     rf"(?m:^)[ \t]*(?P<docstring>{_TRIPLE})",
     rf"\braise [\w.]+\((?P<error>(?:\s*f?(?:{_DOUBLE}))+)",
@@ -90,7 +90,7 @@ _BULLET = re.compile(r"^\s*(?:[-*+#]+|\d+\.)\s+")
 
 
 def pieces_of(path: Path) -> Iterator[Piece]:
-    """Yield the prose of a file; nothing for a kind of file that is not in `LANGUAGES`."""
+    """Yield the prose of a file; none for a kind of file that is not in `LANGUAGES`."""
     language = _language_of(path)
     if language is None:
         return
@@ -144,7 +144,7 @@ def _of_tree(body: list[ast.stmt]) -> Iterator[Piece]:
 
 
 def _texts(node: ast.AST) -> Iterator[str]:
-    """Yield the strings of an expression; an f-string is one, with ``x`` for each of its values."""
+    """Yield the strings of an expression; an f-string is one string with ``x`` for each value."""
     match node:
         case ast.Constant(value=str(text)):
             yield text

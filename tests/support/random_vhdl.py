@@ -1,6 +1,6 @@
-"""Random expressions of signed and unsigned vectors and of integers, in VHDL whose simulation meets no bound.
+"""Random VHDL expressions of signed and unsigned vectors and of integers, which simulate without bound errors.
 
-Each text of an integer comes with the range of its values, so that no sum overflows and no conversion is out of range.
+Each integer expression comes with the range of its values, so that no sum overflows and no conversion is out of range.
 Expressions that GHDL refuses with an error are not made: rotations of one bit or of `signed`, and `abs` of integers.
 """
 
@@ -18,7 +18,7 @@ Range = tuple[int, int]
 
 
 class Expression(NamedTuple):
-    """An output and the expression that it is."""
+    """An output, and the expression that drives it."""
 
     name: str
     width: int
@@ -26,15 +26,15 @@ class Expression(NamedTuple):
 
 
 class Entity(NamedTuple):
-    """An entity with an output for each of some expressions."""
+    """An entity with one output for each expression."""
 
     name: str
     inputs: dict[str, tuple[str, int]]
-    """Types and widths by names."""
+    """Type and width of each input, by its name."""
     outputs: list[Expression]
 
     def text(self) -> str:
-        """Return its VHDL."""
+        """Return the VHDL of the entity."""
         ports = [f"i_{name} : in std_logic_vector({width - 1} downto 0)" for name, (_, width) in self.inputs.items()]
         ports += [f"{one.name} : out std_logic_vector({one.width - 1} downto 0)" for one in self.outputs]
         choices = "".join(
@@ -53,12 +53,12 @@ class Entity(NamedTuple):
         )
 
     def without(self, names: set[str]) -> Entity:
-        """Return the entity without some outputs."""
+        """Return the entity without the named outputs."""
         return self._replace(outputs=[one for one in self.outputs if one.name not in names])
 
 
 def entity(name: str, seed: int, count: int) -> Entity:
-    """Return an entity with so many random expressions."""
+    """Return an entity with `count` random expressions."""
     maker = _Maker(random.Random(seed))
     return Entity(name, maker.inputs, [maker.expression(f"o{number}") for number in range(count)])
 
@@ -85,7 +85,7 @@ class _Maker:
         return name
 
     def _limits(self, kind: str, width: int) -> Range:
-        """Return the range of integers of so many bits, as far as VHDL has them."""
+        """Return the range of vectors of a width, within the integers of VHDL."""
         bits = min(width, INTEGER_BITS - 1)
         return (-(1 << (bits - 1)), (1 << (bits - 1)) - 1) if kind == "signed" else (0, (1 << bits) - 1)
 
@@ -184,7 +184,7 @@ class _Maker:
         return f"{first} {operator} {self._vector(kind, depth - 1, self._random.choice(WIDTHS))}"
 
     def _integer(self, depth: int, low: int, high: int) -> tuple[str, Range]:
-        """Return an integer within a range, and the range that it has."""
+        """Return an integer expression with values from `low` to `high`, and the range of its values."""
         fitting = [
             (kind, width)
             for kind in ("signed", "unsigned")

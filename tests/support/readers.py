@@ -1,7 +1,7 @@
-"""Readers of other languages, which say what they make of strings: many at once, as each is a program to start.
+"""Readers of other languages: each checks how a language's own tool reads quoted strings.
 
-Each function takes strings as a file would have them, puts them into one, and returns those that are not what they were
-meant to be, or have changed what stands around them.
+Each function takes strings, writes all of them into one file, because every reader is a program to start, and returns
+the strings that the tool reads differently, or that change the text around them.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ Reader = Callable[[Sequence[str]], list[str]]
 
 
 def run(folder: Path, *command: str) -> str | None:
-    """Return what a command prints; None where it fails."""
+    """Return the output of a command, or None if it fails."""
     done = subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=120)
     return None if done.returncode else done.stdout.decode(errors="replace")
 
 
 def bisected(texts: Sequence[str], is_sound: Callable[[Sequence[str]], bool]) -> list[str]:
-    """Return a text that is not sound, found by halves; none where all are."""
+    """Return a list of one unsound text, found by bisection, or an empty list if all texts are sound."""
     if is_sound(texts):
         return []
     while len(texts) > 1:
@@ -42,13 +42,13 @@ def bisected(texts: Sequence[str], is_sound: Callable[[Sequence[str]], bool]) ->
 
 
 def by_halves(name: str, write: Callable[[Sequence[str]], str], *commands: str, said: Callable[[int], str]) -> Reader:
-    """Return a reader that is a program.
+    """Return a reader that runs programs.
 
     Args:
-        name: of the file that is written.
-        write: the file's text.
-        commands: run in turn in its folder.
-        said: what the last of them has to print about so many strings.
+        name: name of the file to write.
+        write: returns the text of the file.
+        commands: command lines, run one after the other in the folder of the file.
+        said: returns the output that the last command must print for a number of strings.
     """
 
     def is_sound(texts: Sequence[str]) -> bool:
@@ -57,7 +57,7 @@ def by_halves(name: str, write: Callable[[Sequence[str]], str], *commands: str, 
             printed = ""
             for command in commands:
                 output = run(Path(folder), *command.split())
-                # A compiler that has failed leaves no program to run.
+                # If a compiler has failed, there is no program to run.
                 if output is None:
                     return False
                 printed = output
@@ -67,12 +67,12 @@ def by_halves(name: str, write: Callable[[Sequence[str]], str], *commands: str, 
 
 
 def numbered(texts: Iterable[str], line: str) -> Iterator[str]:
-    """Return a line for each text, of its number `%d` and it, `%s`."""
+    """Yield a line for each text, with its number for `%d` and the text for `%s`."""
     return (line.replace("%d", str(number)).replace("%s", text) for number, text in enumerate(texts))
 
 
 def numbers(count: int) -> str:
-    """Return the numbers of so many texts."""
+    """Return the numbers from 0 to `count` - 1, separated by spaces."""
     return " ".join(map(str, range(count)))
 
 
@@ -115,7 +115,7 @@ def python_docstrings(texts: Sequence[str]) -> list[str]:
 
 
 def _c_strings(texts: Sequence[str]) -> str:
-    # Each is compared with its bytes; a length that is wrong ends the compilation.
+    # Compare each string with its bytes; a wrong length ends the compilation.
     lines = []
     for text in texts:
         data = text.encode(errors="replace")
@@ -146,7 +146,7 @@ cpp_strings = by_halves("a.cc", _c_strings, _CXX, "./a.out", said=numbers)
 cpp_comments = by_halves("a.cc", _c_comments, _CXX, "./a.out", said=numbers)
 
 
-# Languages of hardware
+# Hardware description languages
 
 
 def _vhdl(texts: Sequence[str]) -> str:
@@ -181,7 +181,7 @@ def vhdl_comments(texts: Sequence[str]) -> list[str]:
             if run(folder, "ghdl", "-a", "--std=08", "a.vhd") is None:
                 return False
             printed = run(folder, "ghdl", "--elab-run", "--std=08", "top") or ""
-            # Synthesis obeys comments that simulation does not.
+            # Synthesis obeys some comments that simulation ignores.
             is_taken = run(folder, "ghdl", "--synth", "--std=08", "a.vhd", "-e", "top") is not None
             return is_taken and printed.rstrip().endswith(f": {sum(range(len(some)))}")
 
@@ -217,7 +217,7 @@ def xml_texts(texts: Sequence[str]) -> list[str]:
 
 
 class Tags(HTMLParser):
-    """Tags of a page of HTML, without its text."""
+    """Collects the tags of a page of HTML, without the text."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -251,7 +251,7 @@ _MARKDOWN = MarkdownIt("commonmark").enable(["table", "strikethrough"])
 
 
 def shape_of_markdown(text: str) -> list[str]:
-    """Return what a page of Markdown is made of, besides its text."""
+    """Return the elements of a page of Markdown, without the text."""
     kinds: list[str] = []
     for token in _MARKDOWN.parse(text):
         inner = [one.type for one in token.children or ()]
@@ -274,7 +274,7 @@ def markdown_texts(texts: Sequence[str]) -> list[str]:
     return [text for text in texts if not is_sound(text)]
 
 
-# Lines behind a sign
+# Comments up to the end of the line
 
 
 def yaml_comments(texts: Sequence[str]) -> list[str]:
@@ -323,7 +323,7 @@ def _tcl_strings(texts: Sequence[str]) -> str:
 
 
 def _in_tcl(text: str) -> str:
-    """Return what Tcl 8.6 can have of a text: no more than 16 bits of a character."""
+    """Return a text as Tcl 8.6 can represent it: with at most 16 bits for each character."""
     return "".join(min(character, "\uffff") for character in quoting.one_line(text))
 
 
@@ -389,4 +389,4 @@ READERS: dict[str, Reader] = {
     "matlab string": matlab_strings,
     "terminal": terminal_texts,
 }
-"""The reader of each place in each language that a string from outside is put into."""
+"""The reader of each place, in each language, that a string from outside is written to."""

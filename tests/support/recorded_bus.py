@@ -1,4 +1,4 @@
-"""A bus that remembers every access in the order in which the gateway made it: what "exactly once" is judged by."""
+"""A bus that records every access in the order in which the gateway made it, to check "exactly once"."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ if TYPE_CHECKING:
     from unity_link.virtual import BareGateway
 
 WRITTEN = 0x100
-"""Address to which writes to a `gateway_of_short_laps` go, behind what is read."""
+"""Address for writes to a gateway of `gateway_of_short_laps`, after the addresses that are read."""
 
 
 class RecordedBus:
-    """Memory behind a range of addresses of a gateway, from 0 on.
+    """A memory on the bus of a gateway, at the addresses from 0 on.
 
     Args:
-        gateway: is given this device at all these addresses.
+        gateway: the device is attached to this gateway.
         size: number of addresses.
-        failing: addresses of which every access ends in a bus error; the attempt is recorded all the same.
+        failing: addresses of which every access ends in a bus error; the attempt is recorded too.
     """
 
     def __init__(self, gateway: BareGateway, size: int = 256, failing: frozenset[int] = frozenset()) -> None:
@@ -48,7 +48,7 @@ class RecordedBus:
 
 
 def gateway_of_short_laps() -> tuple[VirtualGateway, RecordedBus]:
-    """Return a gateway each of whose first 256 words is its address, and the bus that recorded what was written."""
+    """Return a gateway with IDs of two digits, and its recorded bus; each word below 256 equals its address."""
     gateway = VirtualGateway(GatewayInfo(id_digits=2, address_bits=16))
     bus = RecordedBus(gateway, WRITTEN + 1)
     bus.words |= {address: address for address in range(256)}

@@ -1,4 +1,4 @@
-"""Common parts of tests of recordings: a moving robot that is recorded, by a program and by the program."""
+"""Functions that tests of recordings share: they record a moving robot."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 
 SPEC = Path(__file__).parents[2] / "examples" / "scara.ul"
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
-"""The robot of the paper, whose group publishes two hundred times a second here."""
+"""The robot of the paper; its group publishes 200 times a second."""
 
 
 def record(
     path: Path, enough: Callable[[Recorder], bool], url: str = GATEWAY, spec: Path | Spec = SPEC, **options: Any
 ) -> Recorder:
-    """Record a robot until there is enough; that of the paper moves."""
+    """Record a robot until `enough` returns True; the robot of the paper moves."""
 
     async def run() -> Recorder:
         async with unity_link.connect(url) as link:
@@ -54,12 +54,12 @@ def run(*arguments: str | Path, **options: Any) -> subprocess.CompletedProcess[s
 
 
 def sequence_in(path: Path) -> list[int]:
-    """Return the numbers of the samples in a recording of one group."""
+    """Return the sequence numbers of the samples in a recording of one group."""
     return [number for samples, _ in Recording(path).samples() for number in samples.sequence.tolist()]
 
 
 def was_cut(path: Path) -> bool:
-    """Return whether a recording has no end."""
+    """Return True if a recording is cut."""
     recording = Recording(path)
     for _ in recording.samples():
         pass
@@ -67,7 +67,7 @@ def was_cut(path: Path) -> bool:
 
 
 class InPlace(Executor):
-    """Does at once what is given to it, for modelled time."""
+    """Runs each task at once in the calling thread, for modelled time."""
 
     def submit(self, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         done: Future[Any] = Future()

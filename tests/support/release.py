@@ -1,6 +1,6 @@
-"""Build the wheel and the source archive, and try the wheel in an empty environment: ``make release``.
+"""Build the wheel and the source archive, and test the wheel in an empty environment: ``make release``.
 
-What the README says runs there, away from the repository; so does a copy of the gateware.
+The commands and programs of the README run there, outside of the repository, and so does a copy of the gateware.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 _PYTHON = re.compile(r"^```python\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _BEFORE, _BEHIND = "import asyncio\nimport unity_link\n", "\nasyncio.run(main())\n"
-"""Lines that a block of the README takes from the one before it."""
+"""Lines before and after a block of the README that relies on the block before it."""
 
 
 def run(*command: str | Path, cwd: Path = ROOT) -> str:
-    """Run a command, and return what it printed; end with what it says where it fails."""
+    """Run a command, return its output; if it fails, end with its command line and output."""
     done = subprocess.run([str(word) for word in command], cwd=cwd, check=False, capture_output=True, text=True)
     if done.returncode:
         sys.exit(f"{' '.join(map(str, command))}\n{done.stdout}{done.stderr}")
@@ -28,7 +28,7 @@ def run(*command: str | Path, cwd: Path = ROOT) -> str:
 
 
 def build() -> tuple[Path, Path]:
-    """Return the wheel and the source archive, new in `dist`."""
+    """Build the wheel and the source archive in `dist`; return their paths."""
     shutil.rmtree(ROOT / "dist", ignore_errors=True)
     run(sys.executable, "-m", "hatchling", "build")
     (wheel,), (archive,) = (ROOT / "dist").glob("*.whl"), (ROOT / "dist").glob("*.tar.gz")
@@ -36,7 +36,7 @@ def build() -> tuple[Path, Path]:
 
 
 def try_wheel(wheel: Path, folder: Path) -> None:
-    """Install a wheel into an empty environment with the locked versions, and run what the README says."""
+    """Install a wheel into an empty environment with the locked versions, and run the commands of the README."""
     run(sys.executable, "-m", "venv", folder / "env")
     programs = folder / "env" / "bin"
     install = (programs / "python", "-m", "pip", "install", "--quiet", "--disable-pip-version-check")
@@ -57,7 +57,7 @@ def try_wheel(wheel: Path, folder: Path) -> None:
 
 
 def main() -> int:
-    """Build and try; returns the exit status."""
+    """Build and test; return the exit status."""
     wheel, archive = build()
     files = len(zipfile.ZipFile(wheel).namelist())
     sys.stdout.write(f"{wheel.relative_to(ROOT)} ({files} files, {wheel.stat().st_size // 1024} kB)\n")

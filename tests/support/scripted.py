@@ -1,4 +1,4 @@
-"""A gateway of which a test writes what the host hears, byte by byte, cut into reads as the test wants them."""
+"""A gateway to whose output a test adds bytes, divided into reads as the test needs."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ if TYPE_CHECKING:
     from unity_link.virtual import Gateway
 
 APART = 1e-4
-"""Seconds between two reads: on simulated time they are never put together."""
+"""Seconds between two reads; on simulated time such reads are never joined."""
 
 
 class Scripted(Valve):
-    """Stands in front of a gateway and lets the host hear what `say` is given, besides what the gateway sends."""
+    """Passes bytes to and from a gateway, and sends the host the bytes given to `say` too."""
 
     def __init__(self, gateway: Gateway) -> None:
         self._pieces: deque[tuple[float, bytes]] = deque()
         self._now = 0.0
         self.before_answer = b""
-        """Bytes that the host hears once, right before the next answer."""
+        """Bytes that the host receives once, just before the next answer."""
         super().__init__(gateway)
         self.wake = lambda: None
 
     def say(self, pieces: Iterable[bytes]) -> float:
-        """Deliver each of `pieces` as a read of its own, from the next instant on; return how long that takes."""
+        """Deliver each of `pieces` in its own read, from the next instant on; return the seconds until the end."""
         due = self._now
         for piece in pieces:
             due += APART

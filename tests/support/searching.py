@@ -1,4 +1,4 @@
-"""Amounts of what is searched: examples of a property, of which each test has its share of the profile, and seeds."""
+"""Sizes of searches: the number of examples of a property, in proportion to the profile, and of seeds."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ QUICK = 100
 
 
 def examples(usual: int) -> int:
-    """Return how many examples a test tries that tries `usual` ones in `make test-all`; at least so many."""
+    """Return the number of examples of a test in this profile; `usual` is the number in `make test-all`."""
     return max(usual, usual * settings().max_examples // QUICK)
 
 
 def seeds(usual: int, most: int) -> list[object]:
-    """Return the seeds below `most`, for a parametrised test; those from `usual` on are for the campaign."""
+    """Return the seeds below `most`, for a parametrised test; seeds from `usual` on get the mark `campaign`."""
     return [pytest.param(seed, marks=[] if seed < usual else [pytest.mark.campaign]) for seed in range(most)]

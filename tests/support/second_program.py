@@ -1,4 +1,4 @@
-"""A program on a line that another one uses, in this process or in one of its own."""
+"""A program on a line that another program uses, in this process or in its own."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from unity_link.transport import Medium
 
 WORDS = {address: 0x0100_0001 * address + 7 for address in range(64)}
-"""Constant words, of which each program reads half."""
+"""Words that stay constant, by address; each program reads half of them."""
 ADDRESSES = (64, 65)
-"""Address to which each program writes."""
+"""Address to which each of the two programs writes."""
 SIDE_BY_SIDE = 24
 
 
 class UnlockedPort:
-    """A port as a program opens it that asks for no lock and heeds none."""
+    """A serial port as opened by a program that neither locks it nor checks locks."""
 
     def __init__(self, path: str) -> None:
         self._path = path
@@ -33,7 +33,7 @@ class UnlockedPort:
 
 
 class Program:
-    """Reads its half of the words, writes numbers of its own, and subscribes to one of its words."""
+    """Reads its half of the words, writes increasing numbers to its address, and subscribes to one of its words."""
 
     def __init__(self, link: unity_link.Link, half: int, draw: random.Random) -> None:
         self.link, self._draw = link, draw
@@ -43,7 +43,7 @@ class Program:
         self.acknowledged: set[int] = set()
 
     async def ask_side_by_side(self) -> None:
-        """Raise the error by which requests ended, if any."""
+        """Make a random number of requests at once; raise the error of one that failed."""
         count = self._draw.randint(1, SIDE_BY_SIDE)
         done = await asyncio.gather(*(self._ask() for _ in range(count)), return_exceptions=True)
         for error in done:
@@ -83,7 +83,7 @@ async def _run(target: str | Medium, seed: int) -> Program:
 
 
 def run_alone(url: str, seed: int) -> tuple[list[int], set[int]]:
-    """Run a program to its end, which heeds no lock of a port; return what it wrote, and what was acknowledged."""
+    """Run a program that ignores locks; return the numbers that it wrote, and the numbers that were acknowledged."""
     target = UnlockedPort(url.removeprefix("serial:")) if url.startswith("serial:") else url
     program = asyncio.run(_run(target, seed))
     return program.asked, program.acknowledged

@@ -1,4 +1,4 @@
-"""A medium on which both sides share one pair of wires, and which sees whether the host waits for its turn."""
+"""A medium on which both sides share one pair of wires; it detects a host that does not wait for its turn."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ PAIR = GatewayInfo(features=GatewayInfo().features | Feature.HALF_DUPLEX)
 
 
 class SharedPair(Valve):
-    """Counts what the host sends while an answer is on its way."""
+    """Records in `collisions` each frame that the host sends while an answer is on its way."""
 
     def __init__(self, gateway: VirtualGateway) -> None:
         super().__init__(SlowLine(gateway, 100_000))

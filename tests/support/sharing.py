@@ -1,4 +1,4 @@
-"""A shared link in this process, and its clients: links and terminals, connected by pipes, on simulated time."""
+"""A shared link in this process, with its clients: links and terminals, connected by pipes, on simulated time."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from unity_link.virtual.faults import Noise
 
 SEED, SEED_BACK = 2, 3
-"""Seeds of session 1: of what the host sends, and of what the gateway sends."""
+"""CRC seeds of session 1: of frames from the host, and of frames from the gateway."""
 open_directly = Gateway.open
-"""As it is, also while a test has put another way in its place."""
+"""The original function, for use while a test has replaced it."""
 
 
 class Terminal(asyncio.Protocol):
-    """A client that says what it is told to, and keeps what it hears."""
+    """A client that sends the bytes of a test, and stores all received bytes."""
 
     def __init__(self) -> None:
         self.heard = b""
@@ -70,7 +70,7 @@ def clients_of(shared: SharedLink) -> set[Client]:
 
 
 async def settle(shared: SharedLink) -> None:
-    """Wait until all that was asked for is answered."""
+    """Wait until all requests are answered."""
     await asyncio.sleep(0.01)
     await until(
         lambda: not shared._session.window.in_flight and not any(client._pending for client in clients_of(shared))
@@ -79,18 +79,18 @@ async def settle(shared: SharedLink) -> None:
 
 
 async def until(condition: Callable[[], bool]) -> None:
-    """Wait until something is true, for ten minutes of simulated time at most."""
+    """Wait until a condition is true, for at most ten minutes of simulated time."""
     async with asyncio.timeout(600):
         while not condition():  # noqa: ASYNC110  (time is simulated)
             await asyncio.sleep(0.001)
 
 
 async def tell_of_reset(shared: SharedLink, gateway: BareGateway, client: Terminal, said: bytes = b"") -> None:
-    """Reset the gateway of a shared link, and have the link find out; meanwhile a client says something."""
+    """Reset the gateway of a shared link and wait until the link has detected it; meanwhile a client sends bytes."""
     sessions = shared._session.epoch
     gateway.reset()
     client.transport.write(said)
-    # What a server hands on has an ID, which a gateway that was reset answers by error 0A.
+    # The server forwards requests with an ID; a gateway after a reset answers such a request by error 0A.
     prober = call(shared)
     prober.transport.write(b"R00\r")
     await until(lambda: shared._session.epoch > sessions and shared.connected and not shared.away)
@@ -101,9 +101,9 @@ class PipedLink(Link):
     """A link to a shared link, over a pipe.
 
     Args:
-        shared: the link that is shared.
-        noise: what becomes of bytes there and back.
-        reconnect: as of any link.
+        shared: the shared link.
+        noise: noise in each direction.
+        reconnect: as for any link.
     """
 
     def __init__(
@@ -125,7 +125,7 @@ class PipedLink(Link):
 
 
 class ServedGateway(SharedLink):
-    """A shared link of a gateway that has a single client, and ends with it."""
+    """A shared link of one client, which ends with its client."""
 
     async def _connect_stream(self, stream: Stream) -> None:
         assert not isinstance(self._target, DriverUrl)
@@ -138,7 +138,7 @@ class ServedGateway(SharedLink):
 
 
 async def connect_through_server(gateway: Gateway, protocol: asyncio.Protocol) -> asyncio.Transport:
-    """Connect a protocol to a gateway that is shared, in place of `Gateway.open`."""
+    """Connect a protocol to a gateway through a shared link; a substitute for `Gateway.open`."""
     shared = ServedGateway(gateway, lambda _: None)
     shared.open_when_there()
     return pipe.connect(protocol, Client(shared))

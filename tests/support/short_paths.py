@@ -1,4 +1,4 @@
-"""A network that carries only short packets, and drops longer ones without a report, by real sockets."""
+"""A network of real sockets that carries only short packets, and drops longer ones without a report."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ class Short(Straying[Any]):
     """Drops datagrams whose packets are longer than an MTU.
 
     Args:
-        mtu: bytes of a packet of IPv4.
+        mtu: longest packet of IPv4 in bytes.
     """
 
     def __init__(self, mtu: int) -> None:
         super().__init__()
         self.mtu = mtu
         self.passed: list[int] = []
-        """Bytes of the packets that arrived."""
+        """Length in bytes of each packet that arrived."""
         self.dropped: list[int] = []
-        """Bytes of the packets that were too long."""
+        """Length in bytes of each packet that was too long."""
 
     def carry(self, datagram: Any) -> list[Any]:
         size = len(datagram[0]) + HEADERS
@@ -41,7 +41,12 @@ class Short(Straying[Any]):
 
 @contextlib.asynccontextmanager
 async def short_path(mtu: int, back: int | None = None) -> AsyncIterator[tuple[str, Short, Short]]:
-    """Serve a gateway behind a network; gives the URL, and both directions."""
+    """Serve a gateway across such a network; yield the URL and both directions.
+
+    Args:
+        mtu: longest packet to the gateway in bytes.
+        back: longest packet from the gateway in bytes; by default the same.
+    """
     directions = Short(mtu), Short(mtu if back is None else back)
     async with serve_udp(VirtualGateway(INFO)) as url, relay_udp(url, *directions) as relayed:
         yield relayed, *directions

@@ -1,4 +1,4 @@
-"""The host in Python on simulated time, without a link: the oracle of clients in other languages."""
+"""The Python host on simulated time, without a link: the reference for clients in other languages."""
 
 from __future__ import annotations
 
@@ -22,28 +22,28 @@ if TYPE_CHECKING:
     from unity_link.virtual import Gateway
 
 PATIENCE = 600.0
-"""Simulated seconds after which a host hangs."""
+"""Simulated seconds after which a host is considered to hang."""
 LATENCY = 0.001
-"""Seconds until what the gateway answers arrives."""
+"""Seconds until an answer of the gateway arrives."""
 
 
 class LineOfASession:
-    """A line that spoils bytes from the first request of a session on, so that two hosts meet the same.
+    """A line that spoils bytes from the first request of a session on, so that two hosts meet the same noise.
 
-    The bytes that they send are kept. The trial of the compact form comes before, and passes.
+    It stores the bytes sent in the session. The trial of the compact form comes before, without noise.
     """
 
     def __init__(self, gateway: Gateway, seed: int, **chances: float) -> None:
         self._clean = gateway
         self._noisy = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
         self.sent: list[tuple[float, bytes]] = []
-        """Frames sent in the session, and their instants."""
+        """Bytes sent in the session, with the instants in seconds."""
         self.chosen: tuple[int, int] | None = None
-        """Number by which the first ID of the session is chosen, and the number of the session."""
+        """Number that chooses the first ID of the session, and the session's own number."""
         self._is_tried = True
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at a time, and return what arrives."""
+        """Pass bytes to the gateway; return the bytes that arrive from it."""
         if self.chosen is not None and self._is_tried:
             if data:
                 self.sent.append((now, data))
@@ -58,12 +58,12 @@ class LineOfASession:
 
 
 class SimulatedHost:
-    """A session of the host in Python.
+    """A session of the Python host.
 
     Args:
-        gateway: takes bytes and the time, and gives the bytes that arrive after `LATENCY`.
-        shortest_timeout: of the medium.
-        chosen: number by which the first ID of the session is chosen, and the number of the session.
+        gateway: function of bytes and the time; returns the bytes that arrive after `LATENCY`.
+        shortest_timeout: of the medium, in seconds.
+        chosen: number that chooses the first ID of the session, and the session's own number.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class SimulatedHost:
     ) -> None:
         self.now = 0.0
         first, number = chosen
-        # A number is counted from 1.
+        # Session numbers begin with 1.
         draws = itertools.chain([first], itertools.count(number - 1))
         self.session = Session(None, lambda: next(draws), compact=True)
         self._gateway = gateway
@@ -83,7 +83,7 @@ class SimulatedHost:
             self._turn()
 
     def do(self, *sources: Any) -> None:
-        """Execute all, as many at a time as there is room for."""
+        """Execute all requests, as many at a time as the window allows."""
         left = {id(source) for source in sources}
         for source in sources:
             self._events += self.session.submit(source, self.now)
@@ -93,18 +93,18 @@ class SimulatedHost:
             self._turn()
             left.difference_update(map(id, self._events))
             self._events.clear()
-        # Sent at once: what is asked for next stands behind it, with an end of its own.
+        # Take the output now, so that later requests begin a new burst.
         self._output += self.session.take_output()
 
     def request(self, command: str, *fields: int, words: int = 0) -> Request:
-        """Make a request with fields of an address and words."""
+        """Return a request with an address field and word fields."""
         info = self.session.codec.info
         widths = (info.address_digits, *[info.data_digits] * len(fields[1:]))
         text = b"".join(b"%0*X" % (width, field) for width, field in zip(widths, fields, strict=True))
         return Request(self.session.codec, command, text, words * info.data_digits)
 
     def _turn(self) -> None:
-        """Send what is to be sent, and let time pass until something happens."""
+        """Send the pending output; advance the time to the next arrival or deadline."""
         output, self._output = self._output + self.session.take_output(), b""
         answer = self._gateway(output, self.now)
         if answer:
@@ -120,5 +120,5 @@ class SimulatedHost:
 
 
 def outcome_of(request: Request) -> Outcome | None:
-    """Return what is known of a request that has ended without an answer."""
+    """Return the outcome of a request that ended without an answer, or None if it was answered."""
     return request.error.outcome if isinstance(request.error, UnansweredError) else None

@@ -1,4 +1,4 @@
-"""Runs tests on modelled time, so that an hour of time-outs takes a moment and every run is the same."""
+"""Runs tests on modelled time, so that an hour of time-outs takes a moment, and all runs are equal."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ T = TypeVar("T")
 
 
 def run_simulated(coroutine: Coroutine[Any, Any, T]) -> T:
-    """Run a coroutine to its end on simulated time."""
+    """Run a coroutine to its end on simulated time; return its result."""
     with asyncio.Runner(loop_factory=ModelledTimeLoop) as runner:
         return runner.run(coroutine)
 
 
 def on_simulated_time(test: Callable[P, Coroutine[Any, Any, T]]) -> Callable[P, T]:
-    """Make an asynchronous test, or the inside of a hypothesis test, one that runs on simulated time."""
+    """Return a synchronous test that runs an asynchronous test, or the body of a hypothesis test, on simulated time."""
 
     @functools.wraps(test)
     def run(*args: P.args, **kwargs: P.kwargs) -> T:

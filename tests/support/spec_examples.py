@@ -1,4 +1,4 @@
-"""Common parts of the tests of specs: the paper's figure, and valid specs, made by hypothesis as syntax trees."""
+"""Specs for tests: figure 1 of the paper, and valid specs that hypothesis makes as syntax trees."""
 
 from __future__ import annotations
 
@@ -47,11 +47,11 @@ joint(name): @(spd,cpos,pos_sp,spd_sp) {
   @spd_sp: WRITE(ID=name+":spd_sp");
 }
 """
-"""The paper's figure 1, word for word."""
+"""Figure 1 of the paper, word for word."""
 
 
 def interface_of(*members: str, outside: str = "", **options: Any) -> Interface:
-    """Compile a public interface of some members."""
+    """Compile a public interface with these members; return it."""
     inside = "\n".join(members)
     return compile_text(f"public robot() {{\n{inside}\n}}\n{outside}", **options).interface()
 
@@ -72,13 +72,13 @@ numbers = st.one_of(
 
 
 def whole(value: int) -> Expression:
-    """Write a number, in one of the ways that have this value."""
+    """Return a number as hexadecimal or decimal text of the same value."""
     return Number(hex(value) if value % 2 else str(value))
 
 
 @st.composite
 def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
-    """Draw an expression that has a number as its value, if the names have."""
+    """Draw an expression whose value is a number, if those of the names are."""
     leaves = st.one_of(numbers, st.sampled_from(names).map(lambda name: Name(Word(name)))) if names else numbers
 
     def larger(inner: st.SearchStrategy[Expression]) -> st.SearchStrategy[Expression]:
@@ -94,14 +94,14 @@ def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
 
 
 ROW = 2
-"""Most signals of a row."""
+"""Most signals in a row."""
 SIZE = 12
-"""Width that signals in components have by a parameter."""
+"""Width in bits of signals of components whose width is a parameter."""
 
 
 @st.composite
 def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindSpecifier | None, int]:
-    """Draw a kind of at most 32 bits, and its width."""
+    """Draw a kind of at most 32 bits; return it with its width in bits."""
     width = draw(st.integers(1, 32))
     fraction = draw(st.integers(0, width))
     choices: list[tuple[KindSpecifier | None, int]] = [
@@ -119,7 +119,7 @@ def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindSpe
 
 
 def _resets(kind: KindSpecifier | None, enumerations: list[EnumDeclaration]) -> list[Argument]:
-    """Return a RESET of a kind, where there is one that every width of it has."""
+    """Return a RESET clause of a kind with a value that fits every width, or none if the kind has no such value."""
     word = "unsigned" if kind is None else str(kind.name)
     values: dict[str, Expression] = {
         "bool": Name(Word("true")),
@@ -138,14 +138,14 @@ _EFFECTS = {
     ("bool", "READWRITE"): ["PULSE", "WRITE_1_TO_CLEAR"],
     ("unsigned", "READWRITE"): ["WRITE_1_TO_CLEAR"],
 }
-"""Effects that signals of a kind and an access can have."""
+"""Effects that are possible for signals of a kind and an access."""
 
 
 @st.composite
 def signals(
     draw: st.DrawFn, name: str, address: int, enumerations: list[EnumDeclaration], groups: list[str]
 ) -> SignalDeclaration:
-    """Draw a signal at an address of its own, given as an offset to `base` where that is negative."""
+    """Draw a signal at its own address; a negative address is an offset from `base`."""
     kind, width = draw(kinds(enumerations))
     if address < 0 and draw(st.booleans()):
         kind, width = KindSpecifier(Word("unsigned"), Name(Word("size"))), SIZE
@@ -180,7 +180,7 @@ def signals(
 
 @st.composite
 def rows(draw: st.DrawFn, signal: SignalDeclaration) -> SignalDeclaration:
-    """Draw a signal alone, or a row of at most `ROW` of them at addresses that follow each other."""
+    """Draw a single signal, or a row of at most `ROW` signals at consecutive addresses."""
     if draw(st.booleans()):
         assert signal.address is not None
         signal.count = whole(draw(st.integers(1, ROW)))
@@ -196,7 +196,7 @@ def _unique_names(draw: st.DrawFn, taken: set[str], size: int) -> list[str]:
 
 @st.composite
 def specs(draw: st.DrawFn) -> File:
-    """Draw a whole spec that has no faults: enumerations, groups, components in arrays, modules."""
+    """Draw a complete valid spec: enumerations, groups, components in arrays, modules."""
     taken = {
         "base",
         "name",

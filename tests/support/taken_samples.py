@@ -1,4 +1,4 @@
-"""Samples as a gateway took them and a line lost some, and when a host that stood still meanwhile took what came."""
+"""Samples as a gateway took them, with losses on the line, and as a host that was suspended at times reads them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 TURN = 1 << 32
 BASE_HZ = 1000
 ROUND = 256
-"""Samples after which a sequence comes again."""
+"""Number of samples after which sequence numbers repeat."""
 
 
 class Taken(NamedTuple):
@@ -33,7 +33,7 @@ class Taken(NamedTuple):
 
 
 def is_decidable(advance: int, period: float, turn: float) -> bool:
-    """Return whether no smaller advance has the same sequence and timestamp, as nothing would tell them apart."""
+    """Return True if no smaller advance has the same sequence number and timestamp; otherwise a host cannot choose."""
     rate_hz = 1 / period
     allowed = 2 * (tolerance_of(rate_hz, turn) + 1e-6 * advance) / rate_hz
     fewer = np.arange(advance % 256 or 256, advance, 256)
@@ -50,19 +50,20 @@ READS = st.lists(
     min_size=2,
     max_size=6,
 )
-"""Reads: seconds that the host stands still before each, samples lost of those that come, and how they are taken."""
+"""Reads. Each has the seconds of suspension before it, the number of samples that are lost, and how the rest is passed
+on."""
 CLOCKS = (50_000_000, 100_000_000, 99_999_937, 4_294_967_295)
 """In Hz."""
 _LATE = 95e-6
-"""Seconds that a busy bus keeps a sample waiting."""
+"""Seconds by which a busy bus delays a sample."""
 BEGAN = st.integers(0, TURN - 1 - round(_LATE * max(CLOCKS)))
-"""Timestamps at first; the first sample has no wrap before it, though it may be late, as nobody could see that."""
+"""First timestamps. The first sample never wraps around, even if it is late, because no host could detect that."""
 STORIES = {"reads": READS, "clock_hz": st.sampled_from(CLOCKS), "began": BEGAN, "seed": st.integers(0, 1000)}
-"""Arguments of `arrivals_of` but for the divisors."""
+"""Strategies for the arguments of `arrivals_of`, without the divisors."""
 
 
 class Arrival(NamedTuple):
-    """Bytes that a host reads at once."""
+    """Samples that a host reads at once."""
 
     now: float
     taken: list[Taken]
@@ -72,14 +73,14 @@ class Arrival(NamedTuple):
 def arrivals_of(
     reads: Sequence[tuple[float, int, str]], clock_hz: int, divisors: list[int], began: int, seed: int
 ) -> list[Arrival]:
-    """Return what a host reads of groups, one after the other.
+    """Return the samples of groups that a host reads, read by read.
 
     Args:
         reads: one of `READS`.
         clock_hz: of the gateway.
         divisors: of the groups, one each.
-        began: the gateway's timestamp at first, one of `BEGAN`.
-        seed: chooses which samples are lost and late.
+        began: the gateway's first timestamp, one of `BEGAN`.
+        seed: chooses the samples that are lost or late.
     """
     chance, now = random.Random(seed), 0.0
     numbers = [0] * len(divisors)
@@ -103,11 +104,11 @@ def arrivals_of(
 
 
 def of_group(arrivals: list[Arrival], group: int) -> list[Taken]:
-    """Return the samples of a group that came."""
+    """Return the samples of a group that arrived."""
     return [one for arrival in arrivals for one in arrival.taken if one.group == group]
 
 
 def are_decidable(came: list[Taken], divisor: int, clock_hz: int) -> bool:
-    """Return whether the samples of a group can be told from all others that they might be."""
+    """Return True if sequence numbers and timestamps of a group leave one possibility only."""
     advances = [after.number - before.number for before, after in itertools.pairwise(came)]
     return all(advance <= ROUND or is_decidable(advance, divisor / BASE_HZ, TURN / clock_hz) for advance in advances)

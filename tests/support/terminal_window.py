@@ -1,6 +1,6 @@
-"""A terminal as a user has it before them: keys go into it, and a screen is looked at, resized, and waited for.
+"""A terminal as a user has it: tests type keys, read the screen, resize it, and wait for text.
 
-tmux is the terminal. What is typed goes to a shell, so that a test sees as well what a program leaves behind.
+The terminal is tmux. Keys go to a shell, so that a test also sees the state in which a program leaves the terminal.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ if TYPE_CHECKING:
 
 needs_tmux = pytest.mark.skipif(shutil.which("tmux") is None, reason="needs tmux: apt install tmux")
 GIVEN_BACK = "cursor 1, alternate 0"
-"""Modes of a terminal that no program has for itself: its cursor is shown, and what stood on its screen is there."""
+"""Modes of a terminal without a full-screen program: the cursor is visible, and the normal screen is shown."""
 PATIENCE = 60
-"""Seconds after which a test gives up to wait for something on the screen."""
+"""Seconds after which a test stops waiting for text on the screen."""
 NOT_INHERITED = ("COLUMNS", "LINES", "TMUX", "XDG_CONFIG_HOME")
-"""Variables of the terminal and the home that the tests are run from; pytest-xdist has workers of 80 columns."""
+"""Variables of the calling terminal and home that must not reach the window; workers of pytest-xdist set 80 columns."""
 AGAIN_EVERY = 3
 """Seconds after which a line is typed again."""
 
 
 class Window:
-    """A terminal with a shell in it.
+    """A terminal that runs a shell.
 
     Args:
-        home: the user's home, and the folder that the shell is in.
+        home: home and working folder of the shell.
     """
 
     def __init__(self, home: Path) -> None:
@@ -49,41 +49,41 @@ class Window:
             "-f", os.devnull, "new-session", "-d", "-x", "100", "-y", "30", "-c", str(home), "sh", env=environment
         )
         self._tmux("set-option", "-g", "window-size", "manual")
-        # A shell has its own mind of the prompt that it inherits.
+        # Set the prompt by a command: shells may ignore the inherited one.
         self.enter("PS1='$ '")
 
     def enter(self, line: str) -> None:
-        """Type a line."""
+        """Type a line, and press Enter."""
         self._tmux("send-keys", "-l", line)
         self.press("Enter")
 
     def clear(self) -> None:
-        """Clear the screen, so that what an earlier program left is not taken for what the next one shows."""
+        """Clear the screen, so that output of an earlier program is not mistaken for that of the next one."""
         self.enter("clear")
         self.wait_for(r"\A\$ *$")
 
     def press(self, *keys: str) -> None:
-        """Press keys, under tmux's names: C-c, Up."""
+        """Press keys, by their names in tmux: C-c, Up."""
         self._tmux("send-keys", *keys)
 
     def resize(self, width: int, height: int) -> None:
         self._tmux("resize-window", "-x", str(width), "-y", str(height))
 
     def screen(self) -> str:
-        """Return what is on the screen."""
+        """Return the text on the screen."""
         return self._tmux("capture-pane", "-p")
 
     def all(self) -> str:
-        """Return what is on the screen, and above it what has left it."""
+        """Return the text on the screen, after the lines that were scrolled off."""
         return self._tmux("capture-pane", "-p", "-S", "-")
 
     @property
     def state(self) -> str:
-        """Return the visibility of the cursor, and whether the screen is the alternate one."""
+        """Return the visibility of the cursor, and whether the alternate screen is shown."""
         return self._tmux("display-message", "-p", "cursor #{cursor_flag}, alternate #{alternate_on}").strip()
 
     def wait_until(self, condition: Callable[[str], object]) -> str:
-        """Wait until the screen is as it should be, and give it."""
+        """Wait until the condition is true of the screen; return the screen."""
         end = time.monotonic() + PATIENCE
         while not condition(screen := self.screen()):
             if time.monotonic() > end:
@@ -92,7 +92,7 @@ class Window:
         return screen
 
     def enter_until(self, line: str, pattern: str) -> None:
-        """Type a line, again and again, until a pattern is on the screen."""
+        """Type a line repeatedly until a pattern is on the screen."""
         again = 0.0
 
         def is_there(screen: str) -> object:
@@ -105,7 +105,7 @@ class Window:
         self.wait_until(is_there)
 
     def wait_for(self, *patterns: str) -> str:
-        """Wait until each of some patterns is on the screen, ^ and $ being ends of lines; return the screen."""
+        """Wait until all patterns are on the screen; ^ and $ match at the ends of lines. Return the screen."""
         return self.wait_until(lambda screen: all(re.search(pattern, screen, re.MULTILINE) for pattern in patterns))
 
     def _tmux(self, *arguments: str, env: dict[str, str] | None = None) -> str:

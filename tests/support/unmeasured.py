@@ -1,4 +1,4 @@
-"""Processes of which coverage measures nothing: it would write files where none can be written, and take time."""
+"""Processes without coverage, which would take time, and write files into folders that refuse them."""
 
 from __future__ import annotations
 
@@ -6,5 +6,5 @@ import os
 
 
 def unmeasured_environment() -> dict[str, str]:
-    """Return the environment of this process without what has coverage measure another."""
+    """Return the environment of this process without the variables that start coverage in child processes."""
     return {name: value for name, value in os.environ.items() if not name.startswith("COV")}

@@ -1,4 +1,4 @@
-"""A gateway whose line can be stopped, emptied and cut at will: what a test needs to bring a link into trouble."""
+"""A gateway whose line a test can stop, empty and cut, to disturb a link."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 
 class Valve(Gateway):
-    """Stands in front of a gateway and lets bytes through, or loses them.
+    """Passes bytes to and from a gateway, or loses them.
 
     Args:
-        gateway: what is behind.
+        gateway: the gateway at the end of the line.
     """
 
     def __init__(self, gateway: Gateway) -> None:
@@ -32,7 +32,7 @@ class Valve(Gateway):
         self.requests_pass = True
         self.answers_pass = True
         self.instead = b""
-        """Bytes that the host hears whenever it says something, besides the answers."""
+        """Bytes added to the answer to each write of the host."""
         self.heard = b""
         """Bytes that the host has sent."""
 
@@ -40,12 +40,12 @@ class Valve(Gateway):
         return getattr(self.gateway, name)
 
     def go_away(self, connection: Connection) -> None:
-        """End a connection, and answer no other until `come_back`."""
+        """Cut a connection, and answer no other until `come_back` is called."""
         self.requests_pass = self.answers_pass = False
         cut(connection)
 
     def come_back(self) -> None:
-        """Let everything through."""
+        """Pass all bytes again."""
         self.requests_pass = self.answers_pass = True
 
     @property
@@ -80,18 +80,18 @@ class Uncounting(VirtualGateway):
 
 
 def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:
-    """Return the IDs of the requests in what a host has sent, in their order."""
+    """Return the IDs of the requests in sent bytes, in their order."""
     heads = rb"^[g-z]+([0-9A-F]{%d})" % info.id_digits
     return [int(digits, 16) for digits in re.findall(heads, sent, re.MULTILINE)]
 
 
 def as_gateway(codec: HostCodec, body: bytes) -> bytes:
-    """Return the frame of a body as the gateway of a host sends it in the session under way."""
+    """Return a body as a frame that the gateway sends in the current session."""
     return codec.framing.checked(body, codec.seed_back if body and in_session(body[0]) else 0)
 
 
 def cut(connection: Connection) -> None:
-    """End the connection of a link, or of a server, as a cable that is pulled out does."""
+    """Cut the connection of a link or a server, as if its cable were unplugged."""
     assert connection._flow.stream is not None
     assert connection._flow.stream._transport is not None
     connection._flow.stream._transport.abort()

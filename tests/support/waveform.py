@@ -1,4 +1,4 @@
-"""Reads a waveform (VCD) as far as tests need it: signals by their places, and their values at each rising clock."""
+"""Reads a waveform (VCD) as far as tests need it: signals by their paths, their values at each rising clock edge."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _CHANGE = re.compile(r"([01])(\S+)|b([01]+) (\S+)")
 
 
 class Waveform:
-    """A file of a waveform.
+    """A waveform file.
 
     Args:
         path: of the file.
@@ -23,7 +23,7 @@ class Waveform:
         head, _, self._body = path.read_text().partition("$enddefinitions $end\n")
         self.timescale = re.findall(r"\$timescale (.*?) \$end", head)
         self.signals: dict[str, tuple[str, int]] = {}
-        """Identifier and bits of each, by place and name."""
+        """Identifier and width in bits of each signal, by its path."""
         scope: list[str] = []
         for kind, text in re.findall(r"\$(scope|upscope|var) ?(.*?) ?\$end", head):
             words = text.split()
@@ -37,7 +37,7 @@ class Waveform:
         assert len({identifier for identifier, _ in self.signals.values()}) == len(self.signals)
 
     def cycles(self, *names: str) -> Iterator[tuple[int, list[int]]]:
-        """Return the values of signals at each rising edge of the clock, with the time."""
+        """Yield the time and the values of signals at each rising edge of the clock."""
         clock = self.signals["unity_link_fifo.clk"][0]
         wanted = [self.signals[f"unity_link_fifo.{name}"][0] for name in names]
         values: dict[str, int] = {}
@@ -56,14 +56,14 @@ class Waveform:
 
 
 class Taken(NamedTuple):
-    """A byte that passed the pins."""
+    """A byte that passed the pins, with its time in units of the timescale."""
 
     time: int
     byte: int
 
 
 def bytes_at_pins(waveform: Waveform, way: str) -> list[Taken]:
-    """Return the bytes that passed one way, ``in`` or ``out``."""
+    """Return the bytes that passed in one direction, ``in`` or ``out``."""
     return [
         Taken(time, data)
         for time, (valid, ready, data) in waveform.cycles(f"{way}_valid", f"{way}_ready", f"{way}_data")

@@ -1,4 +1,4 @@
-"""All that a window knows, for tests that compare two ways of doing the same."""
+"""The complete state of a window, for tests that compare two ways to reach it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def window_state(window: Window[Any]) -> object:
-    """Return what can be seen of a window, its parts and its runs."""
+    """Return all attributes of a window, its parts and its runs, in a form that can be compared."""
     return _state_of(window)
 
 
@@ -19,7 +19,7 @@ def _state_of(thing: object) -> object:
     if isinstance(thing, Run):
         return type(thing).__name__, thing.first, thing.count, thing.sending, thing.posted
     if isinstance(thing, list | tuple):
-        # Most places of a ring are free.
+        # Most places of the sequence space are free: count them, compare the others.
         free = thing.count(None)
         return free, [] if free == len(thing) else [_state_of(part) for part in thing if part is not None]
     slots = [name for kind in type(thing).__mro__ for name in getattr(kind, "__slots__", ())]

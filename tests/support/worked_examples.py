@@ -1,6 +1,6 @@
-"""Reads the worked examples of docs/protocol.md, so that the document itself is what is tested.
+"""Reads the worked examples of docs/protocol.md, so that tests check the document itself.
 
-The notation is explained to readers at the top of that document: `>` sent, `<` answered, `@` what is there beforehand.
+The top of that document explains the notation: `>` sent, `<` answered, `@` the state before.
 """
 
 import re
@@ -13,7 +13,7 @@ _ENDS = {"␍": "\r", "␊": "\n"}
 
 
 class Example(msgspec.Struct, frozen=True):
-    """One block of the document: a conversation with a gateway fresh from reset."""
+    """One block of the document: an exchange with a gateway after a reset."""
 
     line: int
     """Line of the document at which the block begins."""
@@ -22,22 +22,22 @@ class Example(msgspec.Struct, frozen=True):
     bus_timeouts: frozenset[int]
     node: int | None
     exchange: tuple[tuple[bytes, bytes], ...]
-    """Bytes sent, and all that comes back before the next are sent."""
+    """Pairs of bytes sent, and all bytes received before the next bytes are sent."""
 
     @property
     def frames(self) -> list[bytes]:
-        """All frames of both directions, with their ends."""
+        """All frames in both directions, with their line ends."""
         return [frame for frame, _, _ in self.frames_in_sessions]
 
     @property
     def frames_in_sessions(self) -> list[tuple[bytes, bool, int]]:
-        """All frames with their ends, True for those of the gateway, and the session under way for each."""
+        """All frames with their line ends; for each, True if the gateway sent it, and the number of its session."""
         found, session = list[tuple[bytes, bool, int]](), 0
         for pair in self.exchange:
             for text, from_gateway in zip(pair, (False, True), strict=True):
                 for frame in text.splitlines(keepends=True):
                     found.append((frame, from_gateway, session))
-                    # ID, its session, the one that it ended, and the check of a checked one.
+                    # The ID, the new session, the session that it ended, and the CRC if the frame is checked.
                     if from_gateway and re.fullmatch(rb"K[0-9A-F]{11}([0-9A-F]{4}|\r)\n", frame):
                         session = int(frame[4:8], 16)
         return found
@@ -47,7 +47,7 @@ def worked_examples() -> list[Example]:
     """Return every example of the document, in order.
 
     Raises:
-        ValueError: a line is in none of the notations.
+        ValueError: if a line has none of the notations.
     """
     text = DOCUMENT.read_text(encoding="utf-8")
     blocks = re.finditer(r"^```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)

@@ -47,7 +47,7 @@ _LOADER_FLAGS = frozenset(
 _LOADER_VALUE = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_./:-]*")
 
 
-def misuse(data: dict[str, Any], kind: type[msgspec.Struct], before: str = "") -> str:
+def misuse(data: dict[str, object], kind: type[msgspec.Struct], before: str = "") -> str:
     """Return a sentence about the first entry of a table that does not fit a structure; empty if all entries fit.
 
     Args:

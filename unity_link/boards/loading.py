@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
-from typing import Any
 
 import msgspec
 
@@ -56,11 +55,11 @@ def load_board(name: str) -> tuple[str, Board]:
     return path.stem, board
 
 
-def _read(path: Path) -> dict[str, Any]:
+def _read(path: Path) -> dict[str, object]:
     return tomllib.loads(path.read_text(encoding="utf-8"))
 
 
-def _fault_of_io(data: dict[str, Any]) -> str:
+def _fault_of_io(data: dict[str, object]) -> str:
     """Replace the short forms of `io` in `data` by tables; return a sentence about a fault, or an empty string."""
     io = data.get("io")
     while isinstance(io, str):

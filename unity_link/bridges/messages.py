@@ -52,7 +52,7 @@ class Encoder:
     """Writes the samples of one group as JSON, a batch at a time."""
 
     def __init__(self, signals: Sequence[Signal]) -> None:
-        self._tree: dict[str, Any] = {}
+        self._tree: dict[str, object] = {}
         for place, signal in enumerate(signals):
             _plant(self._tree, _steps(signal.path), place)
         self._floats = [
@@ -181,7 +181,7 @@ def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
     }
 
 
-def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
+def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, object]:
     if isinstance(tree, int):
         return _value_schema(signals[tree])
     if isinstance(tree, list):
@@ -189,7 +189,7 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
         if value is not None:
             return _row_schema(tree, signals[value])
         # Readers need one schema for all items; an item may lack properties that the group only has for other items.
-        merged: dict[str, Any] = {}
+        merged: dict[str, object] = {}
         for item in tree:
             merged.update(item)
         return {"type": "array", "items": _schema(merged, signals)}
@@ -202,18 +202,18 @@ def _value_of(items: list[Any]) -> int | None:
     return next((item for item in items if isinstance(item, int)), None)
 
 
-def _row_schema(items: list[Any], signal: Signal) -> dict[str, Any]:
+def _row_schema(items: list[Any], signal: Signal) -> dict[str, object]:
     """Return the schema of an array of signals of one kind; an item without a place is not in the group."""
     value = _value_schema(signal)
-    schema: dict[str, Any] = {"type": "array", "items": value}
+    schema: dict[str, object] = {"type": "array", "items": value}
     if signal.kind.name is KindName.FLOAT or not all(isinstance(item, int) for item in items):
         schema["prefixItems"] = [{"type": [value["type"], "null"]}] * len(items)
     return schema
 
 
-def _value_schema(signal: Signal) -> dict[str, Any]:
+def _value_schema(signal: Signal) -> dict[str, object]:
     kind = signal.kind
-    schema: dict[str, Any] = {"type": _TYPES[kind.dtype.kind]}
+    schema: dict[str, object] = {"type": _TYPES[kind.dtype.kind]}
     absent = "no value for NaN and infinities" if kind.name is KindName.FLOAT else ""
     names = [f"{value.value}: {value.name}" for value in kind.enumeration.values] if kind.enumeration else []
     described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}", absent]))

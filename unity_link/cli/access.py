@@ -48,7 +48,7 @@ async def _read(
     *,
     form: Format | None,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.link.connecting import connect
 
@@ -85,7 +85,7 @@ async def _write(
     values: list[int],
     *,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.link.connecting import connect
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import msgspec
 import typer
 
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Overwrite
 from unity_link.cli.completion import complete_board
 from unity_link.cli.output import may_overwrite, print_note, print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
@@ -23,7 +23,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(build)
 
 
-def build(  # noqa: PLR0913  (each is an option)
+def build(
     spec: SpecFile,
     *,
     board: Annotated[

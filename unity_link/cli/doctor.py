@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003  (typer reads it)
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json, Timeout  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Timeout
 from unity_link.cli.output import print_json, print_note, print_parts
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, compile_or_exit
@@ -64,7 +64,7 @@ def doctor(
 async def _doctor(
     url: str | None,
     interface: Interface | None,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
     duration: float,
     faults: list[Finding],
     *,

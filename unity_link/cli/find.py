@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import socket
 from collections import defaultdict
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import Json
 from unity_link.cli.output import print_json, print_note, print_parts
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError, ConnectError
@@ -141,7 +141,7 @@ def _called(board: FoundBoard) -> str:
     return f"{board.mac} ({board.found.name})" if board.found.name else board.mac
 
 
-def _fields(board: FoundBoard) -> dict[str, Any]:
+def _fields(board: FoundBoard) -> dict[str, object]:
     found = board.found
     return {
         "url": board.url,

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import Json
 from unity_link.cli.output import is_confirmed, out, print_json, print_note
 from unity_link.errors import ArgumentError
 

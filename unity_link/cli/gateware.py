@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path  # noqa: TC003  (typer reads it)
+from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Overwrite
 from unity_link.cli.output import may_overwrite, print_result
 
 

@@ -8,11 +8,11 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Overwrite
 from unity_link.cli.output import may_overwrite, print_note, print_result
 from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
-from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
+from unity_link.generate import TargetName
 
 
 def add_to(app: typer.Typer) -> None:
@@ -20,7 +20,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(generate)
 
 
-def generate(  # noqa: PLR0913  (each is an option)
+def generate(
     target: Annotated[TargetName, typer.Argument(metavar="TARGET", help="What to make.", show_default=False)],
     spec: SpecFile,
     *,

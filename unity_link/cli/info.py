@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import statistics
 import time
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
 from unity_link.cli.output import print_json, print_parts
@@ -32,7 +32,7 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
     run(_info(url, json=json, timeout=timeout))
 
 
-async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
+async def _info(url: str, *, json: bool, timeout: float) -> None:
     from unity_link.link.connecting import connect
     from unity_link.transport import has_bus, parse_url
     from unity_link.transport.ft232h.chip import asked_baud, describe_baud, made_of
@@ -62,7 +62,7 @@ async def _round_trip(link: Link) -> float:
     return statistics.median(times)
 
 
-def _fields(gateway: GatewayInfo) -> dict[str, Any]:
+def _fields(gateway: GatewayInfo) -> dict[str, object]:
     fields = {name: getattr(gateway, name) for name in gateway.__struct_fields__}
     return fields | {"features": [feature.words for feature in gateway.features]}
 

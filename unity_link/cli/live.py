@@ -40,7 +40,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(live)
 
 
-def live(  # noqa: PLR0913  (its options)
+def live(
     url: Url,
     spec: SpecOrBoard = None,
     *,
@@ -142,7 +142,7 @@ async def _live(
     *,
     browser: bool,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     try:
         from unity_link.bridges.live import LivePage, bind

@@ -37,7 +37,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(replay)
 
 
-def record(  # noqa: PLR0913  (each is an option)
+def record(
     url: Url,
     spec: SpecOrBoard = None,
     *,
@@ -83,7 +83,7 @@ def record(  # noqa: PLR0913  (each is an option)
     )
 
 
-async def _record(  # noqa: PLR0913  (as `record`)
+async def _record(
     url: str,
     spec: Spec,
     interface: str | None,
@@ -93,7 +93,7 @@ async def _record(  # noqa: PLR0913  (as `record`)
     *,
     overwrite: bool,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.bridges.recording import Recorder, RecordingError
     from unity_link.data import load

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
-from pathlib import Path  # noqa: TC003  (typer reads it)
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import msgspec
@@ -91,7 +91,7 @@ class _Ros2Command(TyperCommand):
         return super().parse_args(ctx, own)
 
 
-def ros1(  # noqa: PLR0913  (each is an option)
+def ros1(
     url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
@@ -131,7 +131,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, settings: BridgeSet
         await run_and_sum_up(Ros1Bridge(await robot_behind(link, robot_type), settings, print_note))
 
 
-def ros2(  # noqa: PLR0913  (each is an option)
+def ros2(
     ctx: typer.Context,
     url: BridgeUrl = None,
     spec: SpecOrBoard = None,

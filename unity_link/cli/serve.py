@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json, Url  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Url
 from unity_link.cli.output import print_json, print_line, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.signals import spec_in
@@ -35,7 +35,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(serve)
 
 
-def serve(  # noqa: PLR0913  (its options)
+def serve(
     url: Url,
     *,
     nodes: Annotated[

@@ -70,7 +70,7 @@ async def _get(
     *,
     values_only: bool,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.data.describing import robot_behind
     from unity_link.data.groups import Group
@@ -130,7 +130,7 @@ async def _set(
     values: list[tuple[str, Any]],
     *,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.data.describing import robot_behind
     from unity_link.link.connecting import connect

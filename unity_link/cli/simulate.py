@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import Json
 from unity_link.cli.completion import complete_simulated
 from unity_link.cli.output import print_error, print_note, print_result
 from unity_link.cli.running import run
@@ -56,7 +56,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(simulate)
 
 
-def simulate(  # noqa: PLR0913  (each is an option)
+def simulate(
     robot: Annotated[
         str,
         typer.Argument(

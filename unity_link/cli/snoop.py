@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Overwrite
 from unity_link.cli.output import may_overwrite, print_error, print_json, print_line, print_note
 from unity_link.errors import ArgumentError
 from unity_link.quoting import terminal

@@ -11,7 +11,7 @@ from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.signals import is_spec, robot_of, split
-from unity_link.cli.spec import Name  # noqa: TC001  (typer reads the annotations)
+from unity_link.cli.spec import Name
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport import is_url
 
@@ -54,7 +54,7 @@ async def _stop(
     robot_type: type[LoadedRobot],
     *,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.cores.lease import LeasedRobot, leases_of
     from unity_link.link.connecting import connect

@@ -79,7 +79,7 @@ def terminal(
     run(_terminal(url, plain=plain, timeout=timeout))
 
 
-async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
+async def _terminal(url: str, *, plain: bool, timeout: float) -> None:
     from unity_link.transport import parse_url
     from unity_link.transport.stream import Stream
 
@@ -315,7 +315,7 @@ def _silence(line: str, seconds: float) -> str:
     return f"no answer to {line} within {seconds:g} s"
 
 
-async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
+async def _answer_lines(session: _Session, timeout: float) -> bool:
     """Send the lines of stdin, each after the answer to the previous one; return whether all were answered."""
     complete = True
     async for line in _stdin_lines():
@@ -353,7 +353,7 @@ class _Interrupted(Exception):  # noqa: N818  (not an error)
     """Ctrl-C while a line is edited: in raw mode the terminal sends a key instead of a signal."""
 
 
-async def _converse(url: str, session: _Session, timeout: float) -> None:  # noqa: ASYNC109
+async def _converse(url: str, session: _Session, timeout: float) -> None:
     """Prompt for lines until the user ends the command."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
@@ -376,7 +376,7 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
         await _while_connected(session, _converse_lines(prompt, session, timeout))
 
 
-async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
+async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> bool:
     while True:
         try:
             line = (await prompt.prompt_async("> ", handle_sigint=False)).strip()

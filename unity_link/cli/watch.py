@@ -19,7 +19,7 @@ from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import is_live, print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.signals import is_spec, robot_of, split
-from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
+from unity_link.cli.spec import Name
 from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.errors import ArgumentError, UnityLinkError, first_error
 from unity_link.protocol.wire.numbers import MOST_SECONDS, Format
@@ -38,7 +38,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(watch)
 
 
-def watch(  # noqa: PLR0913  (each is an option)
+def watch(
     url: Url,
     signals: Annotated[
         list[str],
@@ -102,7 +102,7 @@ async def _watch(
     duration: float | None,
     *,
     json: bool,
-    timeout: float,  # noqa: ASYNC109  (an option of the command)
+    timeout: float,
 ) -> None:
     from unity_link.bridges.log_once import Faults
     from unity_link.bridges.waiting import begin_when_there

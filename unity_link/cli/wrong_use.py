@@ -32,7 +32,7 @@ def sentence_about(error: typer.TyperException) -> str:
     return f"{name} is {value!r}: {_expected(parameter)} was expected"
 
 
-def _kinds(annotation: Any) -> tuple[Any, ...]:
+def _kinds(annotation: Any) -> tuple[object, ...]:
     """Return the alternatives of a union or literal type, or the type itself."""
     return get_args(annotation) or (annotation,)
 

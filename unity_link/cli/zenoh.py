@@ -20,7 +20,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(zenoh)
 
 
-def zenoh(  # noqa: PLR0913  (each is an option of the command)
+def zenoh(
     url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,

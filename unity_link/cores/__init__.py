@@ -209,7 +209,7 @@ class Model(_Placement):
         assert self.component.core is not None
         return any(one.name == pin and one.is_used for one in self.component.core.pins)
 
-    def show(self, **values: Any) -> None:
+    def show(self, **values: object) -> None:
         """Set the values of signals, by their names. A call without changes is cheap."""
         for name, value in values.items():
             if getattr(self.part, name) != value:

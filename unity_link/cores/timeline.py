@@ -478,7 +478,7 @@ class ScheduleFeed:
             if self._pending:
                 await self._pause(self.registers.depth, lease)
 
-    async def see(self, is_told: Callable[[Any], bool], *, is_connected: bool) -> None:
+    async def see(self, is_told: Callable[[object], bool], *, is_connected: bool) -> None:
         """Raise the errors of writes that are known not to be executed and are not awaited, as a fence does.
 
         Writes whose instants have passed are waited for, later ones are not. While a timeline is open, this raises
@@ -506,7 +506,7 @@ class ScheduleFeed:
             self._void(LinkLostError, "the connection was lost", self._bounds.most(running().steady()))
         await self.raise_failures(is_told)
 
-    async def raise_failures(self, is_told: Callable[[Any], bool] | None = None) -> None:
+    async def raise_failures(self, is_told: Callable[[object], bool] | None = None) -> None:
         """Raise the error of batches that are known not to be executed and are not awaited.
 
         Args:

@@ -158,7 +158,7 @@ class Batch(Sealed):
     def _called(self) -> str:
         return "a batch of samples"
 
-    def _data(self) -> tuple[Any, ...]:
+    def _data(self) -> tuple[object, ...]:
         return self.layout, self.samples, self.counted
 
     def __len__(self) -> int:

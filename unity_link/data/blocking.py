@@ -216,7 +216,7 @@ def _call_of(thing: Any) -> Callable[..., Any]:
     return _take if isinstance(thing, GroupSubscription) else _call
 
 
-async def _awaited(function: Any, arguments: tuple[Any, ...], options: dict[str, Any]) -> Any:
+async def _awaited(function: Any, arguments: tuple[object, ...], options: dict[str, object]) -> Any:
     given = function(*_plain(arguments), **_plain(options))
     return await given if hasattr(given, "__await__") and not isinstance(given, _SHOWN) else given
 

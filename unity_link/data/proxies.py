@@ -277,7 +277,7 @@ class Proxy(Sealed, Generic[T]):
 def _alone(signal: Signal, names: dict[int, Any] | None) -> Proxy[Any]:
     """Return an unpickled signal, which belongs to no robot."""
     made: Proxy[Any] = object.__new__(Proxy)
-    given: dict[str, Any] = {"signal": signal, "_names": names, "_laps": None, "_last": _Last(), "_is_sealed": True}
+    given: dict[str, object] = {"signal": signal, "_names": names, "_laps": None, "_last": _Last(), "_is_sealed": True}
     for name, value in given.items():
         object.__setattr__(made, name, value)
     return made

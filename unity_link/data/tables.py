@@ -70,7 +70,7 @@ class Table(Sealed):
     def _called(self) -> str:
         return "a table"
 
-    def _data(self) -> tuple[Any, ...]:
+    def _data(self) -> tuple[object, ...]:
         return self.signals, [*self._columns.values()], self._seconds, self._instants, self._counts
 
     def __len__(self) -> int:

@@ -31,7 +31,7 @@ async def examine(
     url: str | None = None,
     interface: Interface | None = None,
     *,
-    timeout: float = TIMEOUT,  # noqa: ASYNC109  (as `unity_link.connect`)
+    timeout: float = TIMEOUT,
     duration: float = computer.DURATION,
 ) -> AsyncIterator[Finding]:
     """Run all checks in order. After a fault that makes later checks impossible, stop.
@@ -71,7 +71,7 @@ async def _check_link(
     url: str,
     parsed: DriverUrl,
     interface: Interface | None,
-    timeout: float,  # noqa: ASYNC109
+    timeout: float,
 ) -> AsyncIterator[Finding]:
     info: GatewayInfo | None = None
     try:

@@ -110,9 +110,9 @@ class Netlist(NamedTuple):
     """Constants in the logic, without duplicates."""
     operations: int
     """Number of operations in a step."""
-    start: Callable[[], tuple[Any, ...]]
+    start: Callable[[], tuple[object, ...]]
     """Returns the state before the first step."""
-    step: Callable[[Sequence[int], tuple[Any, ...]], tuple[tuple[int, ...], tuple[Any, ...]]]
+    step: Callable[[Sequence[int], tuple[object, ...]], tuple[tuple[int, ...], tuple[object, ...]]]
     """Takes the inputs and the state; returns the outputs and the next state. The old state must not be used again."""
 
 
@@ -205,7 +205,7 @@ class _Writer:
         exec(f"def step(inputs, state):\n{source}", scope)  # noqa: S102  (of numbers and names of this file)
         starts = self._starts
 
-        def start() -> tuple[Any, ...]:
+        def start() -> tuple[object, ...]:
             return tuple(list(value) if isinstance(value, list) else value for value in starts)
 
         names = {f"ul_{number}": port.name for number, port in enumerate(self._ports)}
@@ -372,7 +372,7 @@ def _read(memory: Any, address: int) -> int:
     return int(memory[address])
 
 
-def _done(states: tuple[Any, ...]) -> tuple[Any, ...]:
+def _done(states: tuple[object, ...]) -> tuple[object, ...]:
     """Return the next state with all memories as lists."""
     return tuple(map(_written, states)) if any(isinstance(state, tuple) for state in states) else states
 

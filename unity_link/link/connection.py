@@ -281,7 +281,7 @@ class Connection:
 
     # Opening and closing
 
-    async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
+    async def open(self, timeout: float) -> None:
         """Connect, and open a session.
 
         Raises:
@@ -291,7 +291,7 @@ class Connection:
         self._open_timeout = timeout
         await self._open(timeout)
 
-    async def _open(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
+    async def _open(self, timeout: float) -> None:
         name = self._name
         stream = Stream(self._new_waiter)
         self._opening = True
@@ -390,7 +390,7 @@ class Connection:
         count = self._lost_at_once + 1
         return count if self._now() - self._opened_again_at < reconnect.pause_after(count) else 0
 
-    async def _attempt(self, timeout: float) -> Exception | None:  # noqa: ASYNC109  (as `open`)
+    async def _attempt(self, timeout: float) -> Exception | None:
         """Open the connection again. Return None, or the error if another attempt may succeed.
 
         Raises:
@@ -409,7 +409,7 @@ class Connection:
             return error
         return None
 
-    async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
+    async def _open_again(self, timeout: float) -> None:
         await self._open(timeout)
         try:
             await self._restore()

@@ -125,7 +125,7 @@ class Link(OfLink, Connection):
         self._left_open: LeftOpen | None = None
         self._posted = False
         self._caller = self._runtime.caller
-        self._posted_failures: dict[Any, PostedFailure] = {}
+        self._posted_failures: dict[object, PostedFailure] = {}
         """Failures of posted writes that no call has raised yet, oldest first: by task; under None for tasks that have
         ended."""
         self._guards: dict[int, Guard] = {}
@@ -305,7 +305,7 @@ class Link(OfLink, Connection):
         """
         return self._post_for(self._caller(), address, value)
 
-    async def _post_for(self, poster: Any, address: int, value: int, *, of_session: bool = False) -> None:
+    async def _post_for(self, poster: object, address: int, value: int, *, of_session: bool = False) -> None:
         flow = self._flow
         codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
@@ -341,7 +341,7 @@ class Link(OfLink, Connection):
         """
         return self._fence_for(self._caller())
 
-    async def _fence_for(self, caller: Any) -> None:
+    async def _fence_for(self, caller: object) -> None:
         self._posted = False
         is_raised = raises_now(self._runtime, caller)
         try:
@@ -365,7 +365,7 @@ class Link(OfLink, Connection):
         """
         await self._flow.answer(Confirmation(self._session.codec, of_session=True))
 
-    async def _raise_errors(self, is_raised: Callable[[Any], bool]) -> None:
+    async def _raise_errors(self, is_raised: Callable[[object], bool]) -> None:
         if self._posted_failures:
             await self._raise_posted(is_raised)
         for writer in tuple(self.told_by_fence.values()):
@@ -393,7 +393,7 @@ class Link(OfLink, Connection):
                 first.add_note(str(other))
             raise first
 
-    async def _raise_posted(self, is_raised: Callable[[Any], bool]) -> None:
+    async def _raise_posted(self, is_raised: Callable[[object], bool]) -> None:
         """Raise the first error of the posted writes for which `is_raised` is true.
 
         If a lease refused the write, the error contains its reason.
@@ -411,7 +411,7 @@ class Link(OfLink, Connection):
                 error = explained
         raise error
 
-    def _take_posted(self, is_raised: Callable[[Any], bool]) -> UnityLinkError | None:
+    def _take_posted(self, is_raised: Callable[[object], bool]) -> UnityLinkError | None:
         """Remove the errors of the posted writes for which `is_raised` is true; return the first, or None."""
         failures = self._posted_failures
         taken = [failures.pop(poster) for poster in tuple(failures) if is_raised(poster)]
@@ -431,7 +431,7 @@ class Link(OfLink, Connection):
                 self._add_failure(None if poster is None or self._runtime.is_over(poster) else poster, other)
         self._add_failure(failure.poster, failure)
 
-    def _add_failure(self, poster: Any, failure: PostedFailure) -> None:
+    def _add_failure(self, poster: object, failure: PostedFailure) -> None:
         first = self._posted_failures.get(poster)
         added = failure if first is None else first._replace(writes=first.writes + failure.writes)
         self._posted_failures[poster] = added
@@ -504,7 +504,7 @@ class Link(OfLink, Connection):
         """
         return self._post_many_for(self._caller(), addresses, values)
 
-    async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:
+    async def _post_many_for(self, poster: object, addresses: ArrayLike, values: ArrayLike) -> None:
         where, what = self._write_arguments(addresses, values)
         self._whole_count(len(where))
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
@@ -630,7 +630,7 @@ class Link(OfLink, Connection):
 
     # Private methods
 
-    async def _ask(self, command: str, *values: Any) -> None:
+    async def _ask(self, command: str, *values: object) -> None:
         """Execute a request that is answered by an acknowledgement."""
         codec = self._session.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
@@ -646,7 +646,7 @@ class Link(OfLink, Connection):
             posted.cancel()
             raise
 
-    async def _post_answered(self, posted: Request | WordBatch, poster: Any) -> None:
+    async def _post_answered(self, posted: Request | WordBatch, poster: object) -> None:
         """Execute writes that have answers, and store their errors as those of posted writes."""
         try:
             await self._flow.answer(posted)

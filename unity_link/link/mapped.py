@@ -50,7 +50,7 @@ class MappedLink(Link):
 
     # Opening and closing
 
-    async def open(self, timeout: float) -> None:  # noqa: ARG002, ASYNC109  (as a link's; this one does not wait)
+    async def open(self, timeout: float) -> None:  # noqa: ARG002  (as a link's; this one does not wait)
         """Map the bus.
 
         Raises:
@@ -132,7 +132,7 @@ class MappedLink(Link):
 
     async def _post_for(
         self,
-        poster: Any,  # noqa: ARG002  (no post can fail later)
+        poster: object,  # noqa: ARG002  (no post can fail later)
         address: int,
         value: int,
         *,
@@ -182,7 +182,7 @@ class MappedLink(Link):
         self._whole_count(len(where))
         await self._write_each(where.tolist(), what)
 
-    async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:  # noqa: ARG002
+    async def _post_many_for(self, poster: object, addresses: ArrayLike, values: ArrayLike) -> None:  # noqa: ARG002
         await self.write_many(addresses, values)
 
     async def _read_blocks(self, blocks: Sequence[range]) -> Words:

@@ -169,7 +169,7 @@ def _python_type(enumeration: Enumeration) -> type[NamedNumber]:
     members = {value.name: value.value for value in enumeration.values}
     made: type[NamedNumber] = NamedNumber(enumeration.name, members)  # type: ignore[call-arg, assignment, arg-type]
 
-    def reduce(member: enum.Enum, _: object) -> tuple[Any, ...]:
+    def reduce(member: enum.Enum, _: object) -> tuple[object, ...]:
         return _member, (enumeration, member.value)
 
     # Pickle by value: pickle would look up the class in a module, but this class is in none.

@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from lark import Lark, Token, Transformer, v_args
 from lark.exceptions import UnexpectedInput
@@ -60,7 +60,7 @@ def parse(source: SourceText, reporter: Reporter) -> File | None:
     if not _is_sane(source, reporter):
         return None
     try:
-        items: list[Item] = _parser(builds=True).parse(source.text)  # type: ignore[assignment]
+        items = cast("list[Item]", _parser(builds=True).parse(source.text))
     except UnexpectedInput:
         report_faults(_parser(builds=False), source, reporter)
         return None

@@ -78,7 +78,7 @@ class _Recovery:
 
     def _end(self, parser: InteractiveParser, braces: list[Token]) -> None:
         try:
-            parser.feed_eof()  # type: ignore[no-untyped-call]
+            parser.feed_eof()
         except UnexpectedInput:
             if any(token.type in {"BAD_STRING", "BAD_COMMENT"} for token in self._tokens):
                 # The string or comment without an end extends to the end of the file, and was reported.
@@ -218,10 +218,10 @@ class _Recovery:
 
 
 def _copy(parser: InteractiveParser) -> InteractiveParser:
-    copied: InteractiveParser = parser.copy(deepcopy_values=False)  # type: ignore[no-untyped-call]
+    copied: InteractiveParser = parser.copy(deepcopy_values=False)
     return copied
 
 
 def _accepted(parser: InteractiveParser) -> set[str]:
-    accepted: set[str] = parser.accepts()  # type: ignore[no-untyped-call]
+    accepted: set[str] = parser.accepts()
     return accepted

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-from typing import Any
 
 HIGH_WATER, LOW_WATER = 65_536, 16_384
 """Numbers of unwritten bytes: above the first the protocol must pause writing, at the second it may resume."""
@@ -20,7 +19,7 @@ class BufferedTransport(asyncio.Transport):
         extra: values for `get_extra_info`.
     """
 
-    def __init__(self, protocol: asyncio.Protocol, extra: dict[str, Any] | None = None) -> None:
+    def __init__(self, protocol: asyncio.Protocol, extra: dict[str, object] | None = None) -> None:
         super().__init__(extra)
         self._loop = asyncio.get_running_loop()
         self._protocol = protocol

@@ -71,7 +71,7 @@ class SocketChannel:
     shortest_timeout = QUICK_TIMEOUT
 
     def __init__(self, connected: socket.socket) -> None:
-        connected.setblocking(False)  # noqa: FBT003  (it has no name)
+        connected.settimeout(0)
         self._socket = connected
         self.fileno = connected.fileno
         self.write = connected.send

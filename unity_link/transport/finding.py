@@ -134,7 +134,7 @@ def _ways(places: Sequence[str]) -> list[tuple[str, str]]:
 def _open(source: str) -> socket.socket:
     opened = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     opened.setsockopt(socket.SOL_SOCKET, socket.SO_BROADCAST, 1)
-    opened.setblocking(False)  # noqa: FBT003  (it has no name)
+    opened.settimeout(0)
     # The network of the address may just have gone down; sending then fails and gives the reason.
     with contextlib.suppress(OSError):
         opened.bind((source, 0))

@@ -122,11 +122,11 @@ def _transport_class(library: str) -> Any:
 
         def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: SerialPort) -> None:
             super().__init__(loop, protocol, port)
-            self._told: dict[str, Any] = {"set_again": port.set_again}
+            self._told: dict[str, object] = {"set_again": port.set_again}
             if port.is_pseudo_terminal:
                 self._told["shortest_timeout"] = QUICK_TIMEOUT
 
-        def get_extra_info(self, name: str, default: Any = None) -> Any:
+        def get_extra_info(self, name: str, default: object = None) -> Any:
             """Return information about the port."""
             return self._told.get(name, super().get_extra_info(name, default))
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import contextlib
 import os
 import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.transport.channel import LARGEST_READ, has_ended
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 
 _OWN_OPTIONS = frozenset({"node", "snoop", "library"})
 """Options that may differ between links on the same port."""
-_PORTS: dict[tuple[Any, ...], SharedPort] = {}
+_PORTS: dict[tuple[object, ...], SharedPort] = {}
 """Open ports, by scheme, host, port and path."""
-_OWED: dict[tuple[Any, ...], float] = {}
+_OWED: dict[tuple[object, ...], float] = {}
 """Time until which a late answer may arrive on a port that was closed."""
 _LOCK = threading.Lock()
 _READS_OF_ALL = 16
@@ -37,7 +37,7 @@ _READS_OF_ALL = 16
 class SharedPort:
     """A medium that is open once for all links of this process."""
 
-    def __init__(self, key: tuple[Any, ...], url: DriverUrl, settings: Mapping[str, str]) -> None:
+    def __init__(self, key: tuple[object, ...], url: DriverUrl, settings: Mapping[str, str]) -> None:
         self.key = key
         self.text = url.text
         self.settings = settings

@@ -174,7 +174,7 @@ class _TappedTransport(asyncio.Transport):
         self._tap.take(bytes(data), sent=True)
         self._transport.write(data)
 
-    def get_extra_info(self, name: str, default: Any = None) -> Any:
+    def get_extra_info(self, name: str, default: object = None) -> Any:
         return self._transport.get_extra_info(name, default)
 
     def is_closing(self) -> bool:

@@ -13,7 +13,7 @@ import contextlib
 import errno
 import socket
 import sys
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.host.datagrams import HostDatagrams
@@ -148,7 +148,7 @@ class Settings(NamedTuple):
         for family, kind, protocol, _, remote in known:
             opened = socket.socket(family, kind, protocol)
             try:
-                opened.setblocking(False)  # noqa: FBT003  (it has no name)
+                opened.settimeout(0)
                 self._set(opened, family)
                 opened.connect(remote)
             except OSError as error:
@@ -243,7 +243,7 @@ class DatagramChannel:
 
 def _prepare(opened: socket.socket, path: Path) -> None:
     path.begin(HEADERS_6 if opened.family == socket.AF_INET6 else HEADERS, _known_mtu(opened))
-    opened.setblocking(False)  # noqa: FBT003  (it has no name)
+    opened.settimeout(0)
     # Above their limit, some systems refuse the value, and others use the limit.
     with contextlib.suppress(OSError):
         opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
@@ -271,9 +271,9 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         """Frames that arrived while reading was paused."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
-    def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Prepare the socket, and connect the protocol."""
-        self._endpoint = transport
+        self._endpoint = cast("asyncio.DatagramTransport", transport)
         known = transport.get_extra_info("socket")
         if known is not None:
             # The event loop's socket object does not allow reading, so make another one for the same descriptor.
@@ -281,7 +281,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
             _prepare(self._socket, self._path)
         self._protocol.connection_made(self)
 
-    def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
+    def datagram_received(self, data: bytes, _: object) -> None:
         """Pass on the frames of received datagrams, without late and duplicate ones; close after the session's end."""
         self._heard = True
         frames = self._take(data)

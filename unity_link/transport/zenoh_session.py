@@ -15,7 +15,7 @@ import contextlib
 import importlib.util
 import re
 import threading
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import msgspec
 
@@ -111,7 +111,7 @@ def close_session(session: zenoh.Session) -> None:
 
     def close() -> None:
         with contextlib.suppress(zenoh.ZError):
-            session.close()  # type: ignore[no-untyped-call]
+            session.close()
 
     atexit.unregister(session.close)
     closing = threading.Thread(target=close, name="zenoh-close", daemon=True)
@@ -162,7 +162,7 @@ def _configuration(network: Network, *, meeting: bool) -> zenoh.Config:
         config = untouched if network.config is None else zenoh.Config.from_file(network.config)
     except zenoh.ZError as error:
         raise ArgumentError(f"{network.config} is no configuration of Zenoh: {explain(error)}") from error
-    values: dict[str, Any] = {
+    values: dict[str, object] = {
         "scouting/multicast/enabled": False,
         "listen/endpoints": [],
         "transport/link/tx/queue/congestion_control/drop/wait_before_drop": 0,

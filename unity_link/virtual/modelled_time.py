@@ -121,7 +121,7 @@ class ModelledTimeLoop(asyncio.SelectorEventLoop):
         super().__init__(self._jumping)
         self.set_default_executor(_AtOnce())
 
-    async def shutdown_default_executor(self, timeout: float | None = None) -> None:  # noqa: ASYNC109  (asyncio's own)
+    async def shutdown_default_executor(self, timeout: float | None = None) -> None:
         """Do nothing: the executor has no pending work, and asyncio would shut it down in a thread."""
 
     def time(self) -> float:

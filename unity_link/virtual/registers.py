@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import logging
 from collections import deque
-from typing import TYPE_CHECKING, Literal, Protocol, get_args
+from typing import TYPE_CHECKING, Literal, Protocol, cast, get_args
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.wire.description import PAGE_WORDS, page_address, words_of
@@ -259,7 +259,7 @@ class Registers:
         self._modules = [module for module in interface.modules if module.is_hardware]
         self._module_words: dict[int, int] = {}
         self._module_queues: dict[int, deque[int]] = {
-            module.base: deque(maxlen=int(module.arguments.get("WORDS", DEFAULT_DEPTH)))  # type: ignore[arg-type]
+            module.base: deque(maxlen=cast("int", module.arguments.get("WORDS", DEFAULT_DEPTH)))
             for module in self._modules
             if module.type == "FIFO"
         }

@@ -155,7 +155,7 @@ class _Client(asyncio.Protocol):
         if self._served:
             self._counter.gateway.resume_reading()
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (the reason does not matter)
+    def connection_lost(self, _: Exception | None) -> None:
         self._counter.connected.discard(self._transport)
         if self._served:
             self._counter.leave()
@@ -218,8 +218,8 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         self._reading = True
         counter.sender = counter.reader = self
 
-    def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
-        self._socket = transport
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        self._socket = cast("asyncio.DatagramTransport", transport)
 
     def datagram_received(self, data: bytes, addr: Any) -> None:
         if discovery.asked(data, self._mac):

@@ -23,7 +23,7 @@ import math
 import time
 from collections import deque
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self, cast
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.protocol.wire.messages import ErrorCode
@@ -529,4 +529,4 @@ def parse_fault(text: str) -> tuple[str, SignalFault]:
     name, _, how = text.partition(":")
     if how and how not in SIGNAL_FAULTS:
         raise ArgumentError(f"fault {text!r}: one of {', '.join(SIGNAL_FAULTS)} was expected after the colon")
-    return name, how or "error"  # type: ignore[return-value]
+    return name, cast("SignalFault", how or "error")

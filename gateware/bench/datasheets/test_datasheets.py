@@ -31,7 +31,7 @@ _MOST_BYTES = 60_000
 
 
 @pytest.mark.parametrize("name", SHEETS)
-def test_what_is_in_the_tree_is_what_is_made_of_the_sources(name: str) -> None:
+def test_datasheets_in_the_tree_are_up_to_date(name: str) -> None:
     assert SHEETS[name].read_text() == filled(name), "run make datasheets"
 
 
@@ -55,7 +55,7 @@ def test_a_clock_is_a_port_of_the_entity_and_a_number_has_a_range(name: str) -> 
         assert group.range, group
 
 
-def test_what_has_no_comment_is_refused() -> None:
+def test_port_without_a_comment_is_refused() -> None:
     text = "entity tried is port (clk : in bit); end entity;"
     with pytest.raises(ValueError, match="clk of tried has no comment that describes it"):
         read_entity(text, "tried", entity)
@@ -63,7 +63,7 @@ def test_what_has_no_comment_is_refused() -> None:
         read_entity(text, "other", entity)
 
 
-def test_what_is_as_of_another_entity_has_the_comment_of_its_namesake_there() -> None:
+def test_comment_as_of_another_entity_is_copied_from_its_port_there() -> None:
     text = """entity tried is
       generic (
         -- As of ul_fifo_sync; the default is small.

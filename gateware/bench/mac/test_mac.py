@@ -30,6 +30,6 @@ def test_mac(interface: str, period_ns: float) -> None:
     )
 
 
-def test_an_interface_that_there_is_not_is_refused() -> None:
+def test_missing_interface_is_refused() -> None:
     with pytest.raises(BenchError, match='physical is "sgmii", expected "rmii", "mii" or "rgmii"'):
         run_bench("ul_mac", _BENCH, generics={"physical": "sgmii"}, extra_env={"INTERFACE": "mii", "PERIOD_NS": "20"})

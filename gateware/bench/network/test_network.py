@@ -46,7 +46,7 @@ def test_a_question_for_its_address_is_answered() -> None:
 
 
 @pytest.mark.parametrize("size", [0, 1, 17, 18, 19, 56, 1472])
-def test_a_ping_is_answered_with_what_it_carries(size: int) -> None:
+def test_ping_is_answered_with_its_own_data(size: int) -> None:
     wire, rng = Wire(), random.Random(size)
     for number in range(40 if size <= 56 else 3):
         data = rng.randbytes(size)
@@ -58,7 +58,7 @@ def test_a_ping_is_answered_with_what_it_carries(size: int) -> None:
         assert reply == struct.pack("!BB", 0, 0) + reply[2:4] + struct.pack("!HH", 0x1234, number) + data
 
 
-def test_every_check_of_a_ping_is_answered_by_a_right_one() -> None:
+def test_answers_to_pings_have_the_right_checksum() -> None:
     wire = Wire()
     for word in (*range(0xF7F0, 0x10000, 37), 0x00FF, 0xF8FF, 0xFFFF, 0, 1):
         (taken,) = wire.ask(ping(struct.pack("!H", word)))
@@ -215,7 +215,7 @@ def test_a_k_with_fields_takes_the_offer_whatever_its_first_digits(first: int, n
 
 
 @pytest.mark.parametrize("frame", [b"KF9AF0\n", b"K0\n", b"K~\n", b"Kr\n", b"KF9A~\r"])
-def test_a_malformed_k_with_something_behind_it_takes_the_offer(frame: bytes) -> None:
+def test_malformed_k_with_trailing_data_accepts_the_offer(frame: bytes) -> None:
     offer, answers, is_lost = _answered_under_the_offer(frame)
     is_plain = frame.endswith(b"\r")
     assert answers == checked(b"U%s00000001" % offer) + (b"X03\r\n" if is_plain else checked(b"X01"))
@@ -228,7 +228,7 @@ def test_a_datagram_without_a_response_brings_none_back() -> None:
     assert wire.writes() == [(0x0A, 1)]
 
 
-def test_after_a_reset_there_is_another_session() -> None:
+def test_session_differs_after_a_reset() -> None:
     wire = Wire()
     host = Host(wire)
     host.open()
@@ -272,7 +272,7 @@ def _find(wire: Wire, frame: bytes) -> tuple[bytes, Found] | None:
 
 
 @pytest.mark.parametrize("to", [ALL_STATIONS, bytes((192, 168, 1, 255)), bytes((10, 0, 0, 255))])
-def test_a_question_who_is_there_is_answered_once_for_all_and_for_it_alone(to: bytes) -> None:
+def test_discovery_query_to_all_or_to_this_board_is_answered_once(to: bytes) -> None:
     wire = Wire()
     lamp = Found(GATEWAY_MAC, GATEWAY_IP, 0x1234ABCD, has_fingerprint=True, session_open=False, name="lamp")
     for _ in range(3):
@@ -311,7 +311,7 @@ NO_QUESTIONS = {
 
 
 @pytest.mark.parametrize("frame", NO_QUESTIONS.values(), ids=NO_QUESTIONS)
-def test_what_comes_to_all_and_is_no_question_leaves_no_trace(frame: bytes) -> None:
+def test_broadcast_other_than_a_query_has_no_effect(frame: bytes) -> None:
     wire = Wire()
     for _ in range(3):
         assert wire.ask(frame, 5000) == []
@@ -331,7 +331,7 @@ def test_a_question_with_a_wrong_check_gives_no_address() -> None:
     assert found[0] == GATEWAY_IP
 
 
-def test_a_session_goes_on_while_others_are_asked() -> None:
+def test_session_continues_while_other_boards_are_queried() -> None:
     wire, rng = Wire(), random.Random(11)
     host = Host(wire)
     host.open(0)
@@ -388,7 +388,7 @@ def test_ten_megabytes_a_second_go_in_and_out() -> None:
     assert sum(map(len, data[1:-1])) / seconds > 10e6
 
 
-def test_what_does_not_fit_is_dropped_whole_and_counted() -> None:
+def test_datagram_too_long_is_dropped_as_a_whole_and_counted() -> None:
     wire = Wire()
     host = Host(wire)
     host.open(plain=True)
@@ -418,7 +418,7 @@ def _put(spoil: Callable[[bytes, random.Random], bytes]) -> Callable[[Wire, byte
 @pytest.mark.parametrize(
     ("frames", "seed"), [(2000, 0), *(pytest.param(250_000, seed, marks=pytest.mark.campaign) for seed in range(1, 5))]
 )
-def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int, seed: int) -> None:
+def test_core_gets_no_wrong_datagram_and_each_right_one_once(frames: int, seed: int) -> None:
     wire = Wire()
     counts = write_over_a_bad_line(
         wire,

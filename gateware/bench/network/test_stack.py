@@ -47,7 +47,7 @@ def exchange(words: int = 20) -> None:
         assert link.read(0x10) == 42
 
 
-def test_the_kernel_finds_the_station_and_its_pings_of_all_sizes_are_answered(gateway: Plugged) -> None:
+def test_kernel_resolves_the_station_and_pings_of_all_sizes_are_answered(gateway: Plugged) -> None:
     for size in (0, 1, 56, 1472):
         said = ran("ping", "-n", "-c", "3", "-w", "50", "-i", "0.2", "-s", str(size), "-M", "do", GATEWAY)
         assert "3 received" in said
@@ -61,7 +61,7 @@ def test_arping_is_answered_by_the_station_alone(gateway: Plugged) -> None:
     assert gateway.written() == []
 
 
-def test_a_link_reads_and_writes_through_a_packet_socket_where_there_is_no_tap() -> None:
+def test_link_reads_and_writes_through_a_packet_socket_without_a_tap() -> None:
     with own_network(), plugged(kind="veth") as gateway:
         exchange()
         assert gateway.written()[-1] == (0x10, 42)
@@ -78,14 +78,14 @@ def test_trio_link_opens_in_a_namespace_after_a_program_outside_of_it() -> None:
         assert trio.run(read_one_word) == 0
 
 
-def test_what_the_kernel_sends_in_fragments_leaves_no_trace(gateway: Plugged) -> None:
+def test_fragments_from_the_kernel_have_no_effect(gateway: Plugged) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.sendto(b"W10FFFFFFFF\r" * 300, (GATEWAY, GATEWAY_PORT))
         exchange()
     assert 0xFFFFFFFF not in [word for _, word in gateway.written()]
 
 
-def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> None:
+def test_group_of_a_killed_program_disturbs_no_other(gateway: Plugged) -> None:
     """A killed program leaves a publishing group; the kernel rejects each of its samples."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as killed:
         killed.settimeout(30)

@@ -56,7 +56,7 @@ def padded(data: bytes) -> bytes:
 
 @pytest.mark.parametrize("busy", [0, 3])
 @pytest.mark.parametrize("first", [0, 0xFF00])
-def test_frames_of_all_sizes_pass_wherever_the_pointers_stand(wire: Wire, first: int, busy: int) -> None:
+def test_frames_of_all_sizes_pass_at_every_position_of_the_pointers(wire: Wire, first: int, busy: int) -> None:
     rng = random.Random(first + busy)
     wire.spoil(first=first, busy=busy)
     wire.lose_power()
@@ -68,7 +68,7 @@ def test_frames_of_all_sizes_pass_wherever_the_pointers_stand(wire: Wire, first:
         assert answers(wire, data) == [padded(data)]
 
 
-def test_frames_that_come_faster_than_the_spi_takes_them_are_kept_or_lost_whole(wire: Wire) -> None:
+def test_frames_faster_than_the_spi_are_kept_or_lost_as_a_whole(wire: Wire) -> None:
     rng = random.Random(1)
     given = [rng.randbytes(1200) for _ in range(40)]
     for number, data in enumerate(given):
@@ -119,20 +119,20 @@ def test_a_word_is_read_in_less_than_a_tenth_of_a_millisecond(wire: Wire) -> Non
     assert answer.ended - before < CLOCK_HZ // 10_000
 
 
-def test_what_is_for_other_stations_is_not_answered(wire: Wire) -> None:
+def test_frames_for_other_stations_are_not_answered(wire: Wire) -> None:
     other = bytes.fromhex("020000000001")
     assert wire.ask(other + ping(b"")[6:]) == []
     assert len(wire.ask(question())) == 1
     assert wire.ask(question(to=other)) == []
 
 
-def test_boards_behind_the_chip_are_found(wire: Wire) -> None:
+def test_discovery_finds_boards_through_the_chip(wire: Wire) -> None:
     (answer,) = wire.ask(to_all(ask()))
     assert read_answer(answer.body[HEADERS : HEADERS + 32]) is not None
 
 
 @pytest.mark.parametrize("length", [0, 61, 1521])
-def test_behind_a_length_that_cannot_be_the_next_frames_are_answered(wire: Wire, length: int) -> None:
+def test_frames_after_an_impossible_length_are_answered(wire: Wire, length: int) -> None:
     wire.spoil(length=length)
     wire.put(ping(b"lost"))
     wire.put(ping(b"lost as well"))
@@ -163,7 +163,7 @@ def test_a_chip_that_lost_its_power_is_reset_and_set_up_again(wire: Wire, lose_p
     assert answers(wire, b"there again") == [padded(b"there again")]
 
 
-def test_a_frame_of_which_the_chip_does_not_say_that_it_is_sent_is_given_up(wire: Wire) -> None:
+def test_frame_that_the_chip_never_reports_as_sent_is_given_up(wire: Wire) -> None:
     wire.spoil(unsaid=1)
     assert answers(wire, b"sent") == [padded(b"sent")]
     wire.run(CLOCK_HZ // 50)
@@ -171,7 +171,7 @@ def test_a_frame_of_which_the_chip_does_not_say_that_it_is_sent_is_given_up(wire
     assert wire.resets() == 0
 
 
-def test_a_reset_of_the_gateway_anywhere_begins_anew(wire: Wire) -> None:
+def test_gateway_works_after_a_reset_at_any_instant(wire: Wire) -> None:
     rng = random.Random(2)
     for _ in range(5):
         wire.put(ping(rng.randbytes(700)))

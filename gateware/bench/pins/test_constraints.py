@@ -41,7 +41,7 @@ def test_every_register_that_is_named_is_in_the_sources(path: Path) -> None:
 
 
 @pytest.mark.parametrize("path", _FILES, ids=_id)
-def test_it_is_said_that_no_tool_has_read_it(path: Path) -> None:
+def test_unchecked_constraints_are_marked_as_such(path: Path) -> None:
     assert "Unchecked" in path.read_text()
 
 
@@ -118,7 +118,7 @@ def test_the_preferences_of_diamond_have_the_same_times(medium: str) -> None:
     assert {pin for pin, *_ in (*setups, *outputs)} == data - {"phy_clk_25"}
 
 
-def test_the_board_has_the_intervals_of_its_own_chip() -> None:
+def test_constraints_of_the_board_have_the_intervals_of_its_chip() -> None:
     text = (GATEWARE / "boards" / "ecp5_ft2232h" / "ecp5_ft2232h.lpf").read_text()
     chip = CHIPS["ft2232h"]
     setups = set(re.findall(r'^INPUT_SETUP PORT "\S+" ([\d.]+) NS HOLD ([\d.]+) NS', text, re.MULTILINE))

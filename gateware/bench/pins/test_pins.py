@@ -46,19 +46,19 @@ def _all_in_pads(result: Result, strobes: tuple[str, ...]) -> bool:
     return {name: result.pins[name] for name in expected} == expected
 
 
-def test_each_register_of_the_synchronous_ft245_is_in_a_pad_with_nothing_before_it() -> None:
+def test_registers_of_the_synchronous_ft245_are_in_pads_without_logic() -> None:
     result = _placed(synchronous=True)
     assert _all_in_pads(result, (*_STROBES, "fifo_oe_n"))
     assert sum(len(pin.registers) for pin in result.pins.values()) == 30
 
 
-def test_each_register_of_the_asynchronous_ft245_is_in_a_pad_with_nothing_before_it() -> None:
+def test_registers_of_the_asynchronous_ft245_are_in_pads_without_logic() -> None:
     result = _placed(synchronous=False)
     assert _all_in_pads(result, _STROBES)
     assert sum(len(pin.registers) for pin in result.pins.values()) == 29
 
 
-def test_every_crossing_of_the_synchronous_ft245_is_a_row_of_registers_on_wires_of_like_length() -> None:
+def test_crossings_of_synchronous_ft245_are_register_chains_on_short_wires() -> None:
     crossings = _placed(synchronous=True).crossings
     pointers = {f"{fifo}.{way}_crossing" for fifo in ("rx_fifo", "tx_fifo") for way in ("read", "write")}
     single = {"up_crossing", "question_crossing", "answer_crossing", "driving_crossing"}
@@ -124,7 +124,7 @@ def test_a_crossing_that_passes_logic_is_found() -> None:
     assert bad.crossings() == {"two": Crossing(bits=1, stages=0, longest_ns=0.0, skew_ns=0.0)}
 
 
-def test_a_crossing_of_which_the_first_register_is_looked_at_is_found() -> None:
+def test_use_of_the_first_register_of_a_crossing_is_found() -> None:
     looked_at = _design(
         one__q=_register(1, 10, 100),
         two__q=_register(10, 12, 200),

@@ -38,7 +38,7 @@ def test_the_figures_of_the_project_hold_and_are_those_of_its_documentation(tmp_
         assert row in stated
 
 
-def test_a_block_takes_a_cycle_a_word_in_a_pipeline_as_the_documentation_says(tmp_path: Path) -> None:
+def test_cycles_of_blocks_and_samples_match_the_documentation(tmp_path: Path) -> None:
     columns = []
     for pipelined in (False, True):
         figures = tmp_path / f"figures of {pipelined}"
@@ -57,9 +57,7 @@ def test_a_block_takes_a_cycle_a_word_in_a_pipeline_as_the_documentation_says(tm
 # `make test-all` measures the jitter of whole samples, below.
 @pytest.mark.campaign
 @pytest.mark.parametrize("way", ["classic", "pipelined"])
-def test_the_words_of_a_sample_are_read_at_the_cycles_of_the_documentation_also_beside_blocks(
-    way: str, tmp_path: Path
-) -> None:
+def test_words_of_a_sample_are_read_at_the_documented_cycles_beside_blocks(way: str, tmp_path: Path) -> None:
     stated = DOCUMENT.read_text().splitlines()
     figures = tmp_path / "figures"
     _run("bench_instants", figures, wb_pipelined=way == "pipelined", base_frequency_millihertz=400_000_000)
@@ -72,11 +70,11 @@ def test_the_words_of_a_sample_are_read_at_the_cycles_of_the_documentation_also_
 
 
 @pytest.mark.parametrize("pipelined", [False, True], ids=["classic", "pipelined"])
-def test_requests_are_executed_as_the_protocol_says(*, pipelined: bool) -> None:
+def test_requests_are_executed_as_the_protocol_defines(*, pipelined: bool) -> None:
     _run("bench_requests", wb_pipelined=pipelined, error_at=0xE0, silent_at=0xE8)
 
 
-def test_groups_are_published_as_the_protocol_says_and_their_jitter_is_that_of_the_documentation(
+def test_groups_are_published_by_protocol_with_the_documented_jitter(
     tmp_path: Path,
 ) -> None:
     _run("bench_groups", tmp_path / "figures", cycles_at=0xF0, base_frequency_millihertz=250_000_000)
@@ -97,7 +95,7 @@ def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
 
 
 @pytest.mark.parametrize("on", ["half_duplex", "fingerprint", "description"])
-def test_a_gateway_says_which_of_its_generics_are_on(on: str) -> None:
+def test_gateway_reports_its_enabled_generics(on: str) -> None:
     _run("bench_half_duplex", **{on: True}, build_id=0xCAFE)
 
 

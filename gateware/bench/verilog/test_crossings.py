@@ -162,7 +162,7 @@ def test_every_register_has_a_name_of_the_vhdl(name: str) -> None:
 
 @pytest.mark.parametrize("tool", TOOLS)
 @pytest.mark.parametrize("name", RELEASES)
-def test_each_tool_is_told_of_every_crossing(name: str, tool: str) -> None:
+def test_constraints_of_each_tool_cover_every_crossing(name: str, tool: str) -> None:
     exceptions = list(_exceptions(tool))
     for place in placed(name):
         told = {one.command for one in exceptions if _finds(tool, one.end, place, one.scope)}
@@ -189,7 +189,7 @@ def of_core(entity: str) -> tuple[Place, ...]:
 
 
 @pytest.mark.parametrize("tool", TOOLS)
-def test_what_a_tool_is_told_of_is_there(tool: str) -> None:
+def test_every_constraint_matches_a_crossing(tool: str) -> None:
     everything = [place for name in RELEASES for place in placed(name)]
     everything += [place for core in core_folders() for place in of_core(f"ul_{core.name}")]
     for one in _exceptions(tool):

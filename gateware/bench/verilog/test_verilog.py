@@ -58,7 +58,7 @@ WHOLE = [(16_000, 1, 0.0), (4_000, 2, 0.2)]
 
 
 @pytest.mark.parametrize("name", RELEASES)
-def test_a_release_is_clean_verilog_and_says_what_it_is(name: str) -> None:
+def test_release_is_clean_verilog_and_names_its_origin(name: str) -> None:
     text = RELEASES[name].text(name)
     assert text.startswith("// SPDX-License-Identifier: BSD-3-Clause\n")
     assert "// A netlist in Verilog-2005, converted by GHDL from the VHDL of Unity-Link" in text
@@ -115,7 +115,7 @@ def test_names_that_are_words_of_systemverilog_are_read_in_each_language(tmp_pat
     assert sorted(found) == sorted(["clk", "given", *(f"{port}_x" for port in ports)])
 
 
-def test_the_simulators_complain_of_what_is_wrong() -> None:
+def test_simulators_warn_about_faults() -> None:
     wrong = "module wrong(input [3:0] a, output [1:0] b);\n  assign b = {};\nendmodule\n"
     assert "%Warning-WIDTH" in lint(wrong.format("a"), "wrong")
     assert "missing" in icarus_complains(wrong.format("missing"))
@@ -183,7 +183,7 @@ def test_random_frames_are_answered_as_the_model_answers_them(count: int, seed: 
                 assert got == wanted, sent
 
 
-def test_without_ghdl_it_says_so_in_a_sentence_and_writes_nothing(
+def test_missing_ghdl_is_one_sentence_and_nothing_is_written(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     def missing(*_: object) -> str:

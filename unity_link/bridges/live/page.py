@@ -78,7 +78,7 @@ class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
     round_trips: Histogram
     exact: dict[str, str]
     """Whole numbers that are too wide for a double, as texts, by the paths of their signals."""
-    written: dict[str, Any]
+    written: dict[str, object]
     """Values that pages have written to signals without samples, by path; unknown values are left out."""
 
 

@@ -95,7 +95,7 @@ class Writing:
         }
 
     @property
-    def values(self) -> dict[str, Any]:
+    def values(self) -> dict[str, object]:
         """The last values that were written to signals without samples, by path.
 
         A signal is left out if its value may have changed: after a reconnection, because the gateway may have been

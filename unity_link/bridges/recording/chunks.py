@@ -270,7 +270,7 @@ def _bytes(*records: McapRecord) -> bytes:
 
 
 def _end(builder: RecordBuilder) -> bytes:
-    data: bytes = builder.end()  # type: ignore[no-untyped-call]
+    data: bytes = builder.end()
     return data
 
 

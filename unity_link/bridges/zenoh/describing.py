@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot
 
 
-def describe(robot: Robot, prefix: str) -> dict[str, Any]:
+def describe(robot: Robot, prefix: str) -> dict[str, object]:
     """Return the interface, the gateway, and each signal by its path, as values for JSON."""
     names = topic_names(robot.interface)
     return {
@@ -24,7 +24,7 @@ def describe(robot: Robot, prefix: str) -> dict[str, Any]:
     }
 
 
-def _describe_signal(proxy: Proxy[Any], key: str) -> dict[str, Any]:
+def _describe_signal(proxy: Proxy[Any], key: str) -> dict[str, object]:
     signal = proxy.signal
     enumeration = signal.kind.enumeration
     facts = {

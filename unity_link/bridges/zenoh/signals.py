@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot
     from unity_link.transport.zenoh_session import Declaration
 
-    Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
+    Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, object]]]
     """Returns the replies to a query with a key and a payload, by the names of keys below the prefix."""
 
 MOST_QUERIES = 1024
@@ -167,10 +167,10 @@ class ZenohSignals:
                 query.reply(f"{self._prefix}/{name}", msgspec.json.encode(value), encoding=JSON)
             self.answered += 1
 
-    async def _info(self, _: zenoh.KeyExpr, __: bytes) -> dict[str, Any]:
+    async def _info(self, _: zenoh.KeyExpr, __: bytes) -> dict[str, object]:
         return {"info": describe(self._robot, self._prefix) | {"written": self.written}}
 
-    async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+    async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, object]:
         if not _names(key, "write") or (_is_pattern(key) and not payload):
             # A query for all keys must not write.
             return {}
@@ -183,7 +183,7 @@ class ZenohSignals:
         self.written += count
         return {"written": count}
 
-    async def _read(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+    async def _read(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, object]:
         if payload:
             if not _names(key, "read"):
                 return {}
@@ -198,7 +198,7 @@ class ZenohSignals:
         values = await self._group(tuple(dict.fromkeys(self._robot[path] for path in paths))).get()
         return {"read": {path: values[self._robot[path]] for path in paths}}
 
-    async def _signals(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+    async def _signals(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, object]:
         found = {name: proxy for name, proxy in self._by_name.items() if key.intersects(_key(f"{self._prefix}/{name}"))}
         if payload:
             # A query of `**` with a payload for `read` or `write` also matches signals: the payload is not for them.
@@ -217,7 +217,9 @@ class ZenohSignals:
         values = await self._group(tuple(readable.values())).get()
         return {name: values[proxy] for name, proxy in readable.items()}
 
-    async def _write_signal(self, key: zenoh.KeyExpr, found: dict[str, Proxy[Any]], payload: bytes) -> dict[str, Any]:
+    async def _write_signal(
+        self, key: zenoh.KeyExpr, found: dict[str, Proxy[Any]], payload: bytes
+    ) -> dict[str, object]:
         if len(found) != 1:
             raise ArgumentError(f"{key} is {len(found)} signals, and a value is for one: write several at /write")
         ((name, proxy),) = found.items()

@@ -26,7 +26,7 @@ def _plain(value: Any) -> Any:
     """Return a value as JSON types, without fields that have their defaults."""
     if isinstance(value, msgspec.Struct):
         config = value.__struct_config__
-        fields: dict[str, Any] = {} if config.tag is None else {str(config.tag_field): config.tag}
+        fields: dict[str, object] = {} if config.tag is None else {str(config.tag_field): config.tag}
         for field in msgspec.structs.fields(value):
             item = getattr(value, field.name)
             factory = field.default_factory

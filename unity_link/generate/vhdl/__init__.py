@@ -61,7 +61,7 @@ def files(
     """
     bank = Bank(interface)
     name = identifier(interface.name)
-    values: dict[str, Any] = {
+    values: dict[str, object] = {
         "interface": interface,
         "prefix": name,
         "bank": bank,

@@ -164,7 +164,7 @@ class CallingThread:
         """Background tasks that the attendant is to run until their next wait."""
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
-            end.setblocking(False)  # noqa: FBT003  (it has no name)
+            end.settimeout(0)
         self.watch(self._woken.fileno(), READABLE, self._empty)
         CALLING.add(self)
 

@@ -132,7 +132,7 @@ class Relay(asyncio.Transport):
 
     close = abort
 
-    def get_extra_info(self, name: str, default: Any = None) -> Any:
+    def get_extra_info(self, name: str, default: object = None) -> Any:
         """Return the extra information of the medium's own transport."""
         if self._far is None:
             return default

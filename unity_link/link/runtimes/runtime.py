@@ -58,7 +58,7 @@ class Waiter(Protocol):
     def cancel(self) -> bool:
         """Cancel the future; return False if it was done before."""
 
-    def set_result(self, result: Any, /) -> None:
+    def set_result(self, result: object, /) -> None:
         """Set the result, and resume the awaiting call."""
 
     def set_exception(self, exception: BaseException, /) -> None:
@@ -81,7 +81,7 @@ class Timer(Protocol):
 class Job(Protocol):
     """A background task of a link."""
 
-    def cancel(self) -> Any:
+    def cancel(self) -> object:
         """Cancel the task at its next wait."""
 
 
@@ -98,7 +98,7 @@ class Runtime(Protocol):
     def steady(self) -> float:
         """Return the time in seconds of a clock that no time service adjusts; on simulated time, the simulated time."""
 
-    def caller(self) -> Any:
+    def caller(self) -> object:
         """Return the current task or thread; None outside of both."""
 
     def is_over(self, caller: Any, /) -> bool:
@@ -113,10 +113,10 @@ class Runtime(Protocol):
     def wake(self) -> None:
         """Resume the tasks that await inline futures which are done."""
 
-    def call_soon(self, function: Callable[[], object], /) -> Any:
+    def call_soon(self, function: Callable[[], object], /) -> object:
         """Call a function after the current task or call waits."""
 
-    def call_soon_threadsafe(self, function: Callable[[], object], /) -> Any:
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> object:
         """As `call_soon`, from any thread."""
 
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
@@ -131,10 +131,10 @@ class Runtime(Protocol):
     async def sleep(self, seconds: float) -> None:
         """Wait for a duration."""
 
-    def timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+    def timeout(self, seconds: float) -> AbstractAsyncContextManager[object]:
         """Return a context manager whose block raises `TimeoutError` after `seconds`."""
 
-    def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+    def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[object]:
         """As `timeout`, for cleaning up after a cancellation: the block may wait although its task is cancelled."""
 
     async def prepare(self, url: DriverUrl) -> None:
@@ -150,7 +150,7 @@ class Runtime(Protocol):
         """End the effect of one call of `start_polling`."""
 
 
-def raises_now(runtime: Runtime, caller: Any) -> Callable[[Any], bool]:
+def raises_now(runtime: Runtime, caller: object) -> Callable[[object], bool]:
     """Return a function that decides if the error of a posted write is raised in a call of `caller`.
 
     The function takes the task or thread that posted the write, or None. A task gets the errors of its own posted

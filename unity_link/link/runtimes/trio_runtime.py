@@ -149,7 +149,7 @@ class Structured:
         self._nursery.start_soon(self._run_service, scope, function, arguments)
 
     async def _run_service(
-        self, scope: trio.CancelScope, function: Callable[..., Awaitable[None]], arguments: tuple[Any, ...]
+        self, scope: trio.CancelScope, function: Callable[..., Awaitable[None]], arguments: tuple[object, ...]
     ) -> None:
         with scope:
             await function(*arguments)

@@ -36,7 +36,7 @@ class Result:
         self.set_exception(asyncio.CancelledError())
         return True
 
-    def set_result(self, result: Any, /) -> None:
+    def set_result(self, result: object, /) -> None:
         """Set the result, and resume the awaiting call."""
         self._result = result
         self._end()

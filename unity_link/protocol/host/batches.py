@@ -128,7 +128,7 @@ class WordBatch(Awaited):
         self.answer: Words = wire.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.waiter: Any = None
-        self.poster: Any = None
+        self.poster: object = None
         """Task or thread that has posted it."""
         self.given_up = False
         """True if the batch was cancelled."""

@@ -42,7 +42,7 @@ class PostedFailure(NamedTuple):
     error: UnityLinkError
     writes: int
     """Number of posted writes."""
-    poster: Any
+    poster: object
     """Task or thread that has posted them."""
 
 

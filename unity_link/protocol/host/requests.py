@@ -280,7 +280,7 @@ class Request(Message, Awaited):
     """
 
     __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "poster", "sent", "waiter")
-    poster: Any
+    poster: object
     """Task or thread that has posted it; set for posted writes only, to save the time in reads."""
     least = 1
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.spec.diagnostics import SpecError
 from unity_link.spec.model import Access, Effect
@@ -14,6 +14,8 @@ from unity_link.spec.systemrdl.places import about, flat_path, spec_path
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+
+    from systemrdl.node import AddrmapNode, FieldNode
 
     from unity_link.spec.diagnostics import Diagnostic
     from unity_link.spec.model import Interface, Signal
@@ -36,7 +38,7 @@ class _Seen(NamedTuple):
     effect: Effect | None = None
 
 
-def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
+def compare(text: str, top: AddrmapNode, names: Mapping[str, str]) -> list[Diagnostic]:
     """Return errors of a spec that was made from SystemRDL: errors of its compilation, or differences.
 
     Args:
@@ -53,7 +55,7 @@ def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
     return [*_differing_fields(interface, top, names), *_differing_memories(interface, top)]
 
 
-def _refused(one: Diagnostic, top: Any, names: Mapping[str, str]) -> Diagnostic:
+def _refused(one: Diagnostic, top: AddrmapNode, names: Mapping[str, str]) -> Diagnostic:
     """Return an error of the spec as an error at the SystemRDL node that was declared in the same line."""
     declared = re.match(r"\s*@?(\w+)", one.text)
     name = declared[1] if declared is not None else ""
@@ -61,11 +63,13 @@ def _refused(one: Diagnostic, top: Any, names: Mapping[str, str]) -> Diagnostic:
     return about("error", one.code, f"{one.message}: a spec cannot express this", node)
 
 
-def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
+def _differing_fields(interface: Interface, top: AddrmapNode, names: Mapping[str, str]) -> list[Diagnostic]:
+    from systemrdl.node import FieldNode
+
     found = dict(interface.signals)
     differing = []
     for node in top.descendants(unroll=True):
-        if type(node).__name__ != "FieldNode" or not (node.is_sw_readable or node.is_sw_writable):
+        if not isinstance(node, FieldNode) or not (node.is_sw_readable or node.is_sw_writable):
             continue
         ours = node.get_property("ul_path") if "ul_path" in node.list_properties() else None
         if ours is None and not names:
@@ -91,7 +95,7 @@ def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) 
     return differing
 
 
-def _expected(node: Any, bits: int, *, whole: bool) -> _Seen:
+def _expected(node: FieldNode, bits: int, *, whole: bool) -> _Seen:
     access = Access.READ if not node.is_sw_writable else Access.READWRITE if node.is_sw_readable else Access.WRITE
     address, low = divmod(node.parent.absolute_address * 8 + node.low, bits)
     if not whole:
@@ -113,10 +117,12 @@ def _seen(signal: Signal, *, whole: bool) -> _Seen:
     return _Seen(*place, kind.is_signed, kind.step, values, signal.reset, signal.effect)
 
 
-def _differing_memories(interface: Interface, top: Any) -> list[Diagnostic]:
+def _differing_memories(interface: Interface, top: AddrmapNode) -> list[Diagnostic]:
+    from systemrdl.node import MemNode
+
     width = interface.data_bits // 8
     found = sorted((one.base, one.words or 0) for one in interface.modules if one.type == "MEMORY")
-    nodes = [node for node in top.descendants(unroll=True) if type(node).__name__ == "MemNode"]
+    nodes = [node for node in top.descendants(unroll=True) if isinstance(node, MemNode)]
     # All elements of an array are one memory in a spec.
     first = [node for node in nodes if not any(node.current_idx or ())]
     expected = sorted((node.absolute_address // width, -(-node.total_size // width)) for node in first)

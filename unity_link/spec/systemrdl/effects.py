@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from unity_link.spec.model import Effect
 from unity_link.spec.systemrdl.numbers import are_bits
@@ -10,6 +10,8 @@ from unity_link.spec.systemrdl.places import about, flat_path
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from systemrdl.node import FieldNode, RegNode
 
     from unity_link.spec.diagnostics import Diagnostic
 
@@ -27,7 +29,7 @@ _WRITING = {
 }
 
 
-def effect_of(node: Any, bits: int) -> Effect | None:
+def effect_of(node: FieldNode, bits: int) -> Effect | None:
     """Return the effect of a field's signal; None if it has none, or none that a signal in its word can have.
 
     Args:
@@ -47,7 +49,7 @@ def effect_of(node: Any, bits: int) -> Effect | None:
     return effect
 
 
-def cleared_together(register: Any, bits: int) -> list[Any]:
+def cleared_together(register: RegNode, bits: int) -> list[FieldNode]:
     """Return the fields of a register if all are bits of one word that a read clears; otherwise an empty list.
 
     Args:
@@ -60,9 +62,9 @@ def cleared_together(register: Any, bits: int) -> list[Any]:
     return fields if is_cleared and len(words) == 1 else []
 
 
-def _word_of(node: Any) -> Effect | None:
+def _word_of(node: FieldNode) -> Effect | None:
     """Return the effect that UL-spec has for the side effects of a field; None if there is none."""
-    onread, onwrite, sw = (node.get_property(name) for name in ("onread", "onwrite", "sw"))
+    onread, onwrite, sw = node.get_property("onread"), node.get_property("onwrite"), node.get_property("sw")
     has_pulse = node.get_property("singlepulse")
     words = {
         ("r", "rclr", None, False): Effect.CLEAR_ON_READ,
@@ -73,7 +75,7 @@ def _word_of(node: Any) -> Effect | None:
     return words.get((sw.name, onread and onread.name, onwrite and onwrite.name, has_pulse))
 
 
-def effects(node: Any, effect: Effect | None) -> Iterator[str]:
+def effects(node: FieldNode, effect: Effect | None) -> Iterator[str]:
     """Yield sentences for a doc string on the side effects of a field that its signal does not have."""
     for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
         other = node.get_property(name)
@@ -81,13 +83,13 @@ def effects(node: Any, effect: Effect | None) -> Iterator[str]:
             yield f"{word} it has an effect: {other.name}."
 
 
-def warnings(node: Any, effect: Effect | None) -> Iterator[Diagnostic]:
+def warnings(node: FieldNode, effect: Effect | None) -> Iterator[Diagnostic]:
     """Yield a warning for each side effect of a field that is not the `effect` of its signal."""
     for code, message in _messages(node, effect):
         yield about("warning", code, f"{flat_path(node)}: {message}", node)
 
 
-def _messages(node: Any, effect: Effect | None) -> Iterator[tuple[str, str]]:
+def _messages(node: FieldNode, effect: Effect | None) -> Iterator[tuple[str, str]]:
     onread, onwrite, sw = node.get_property("onread"), node.get_property("onwrite"), node.get_property("sw").name
     if onread is not None and effect is None:
         lost = "a read that is repeated on a noisy line, or by a sample or a page, loses what the first one took"
@@ -106,12 +108,12 @@ def _messages(node: Any, effect: Effect | None) -> Iterator[tuple[str, str]]:
         yield "write-only-field", message
 
 
-def _neighbours(node: Any) -> str:
+def _neighbours(node: FieldNode) -> str:
     beside = ", ".join(_written_beside(node))
     plain = "and its signal is a plain one"
     return f"{plain}: a write of {beside} writes back what was read of this field" if beside else plain
 
 
-def _written_beside(node: Any) -> list[str]:
+def _written_beside(node: FieldNode) -> list[str]:
     """Return the names of the writable other fields in the register of a field."""
     return [one.inst_name for one in node.parent.fields() if one.is_sw_writable and one.inst_name != node.inst_name]

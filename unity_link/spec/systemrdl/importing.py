@@ -26,6 +26,10 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
+    from systemrdl.node import AddressableNode, AddrmapNode, FieldNode, MemNode, Node, RegNode, RootNode
+    from systemrdl.rdltypes.user_enum import UserEnum
+    from systemrdl.source_ref import SourceRefBase
+
 _RESERVED = {"import", "enum", "group", "public"}
 _PERL_REFUSED = "this is Perl, a program: it is run only by `import rdl --perl`"
 _KINDS = {kind.value for kind in KindName}
@@ -109,7 +113,7 @@ def import_file(*paths: Path, top: str | None = None, include: Sequence[Path] = 
     return Imported(text, tuple(dict.fromkeys(importer.warnings)))
 
 
-def _compiled(paths: Sequence[Path], top: str | None, include: Sequence[Path], *, perl: bool) -> Any:
+def _compiled(paths: Sequence[Path], top: str | None, include: Sequence[Path], *, perl: bool) -> RootNode:
     undeclared: list[str] = []
     while True:
         try:
@@ -124,7 +128,7 @@ def _compiled(paths: Sequence[Path], top: str | None, include: Sequence[Path], *
 
 def _elaborated(
     paths: Sequence[Path], top: str | None, include: Sequence[Path], declared: Sequence[str], *, perl: bool
-) -> Any:
+) -> RootNode:
     try:
         from systemrdl.compiler import RDLCompiler
         from systemrdl.messages import MessagePrinter, RDLCompileError, Severity
@@ -134,7 +138,7 @@ def _elaborated(
     path = paths[-1]
 
     class Collector(MessagePrinter):
-        def print_message(self, severity: Severity, text: str, src_ref: Any) -> None:
+        def print_message(self, severity: Severity, text: str, src_ref: SourceRefBase | None) -> None:
             # A fatal message after others only repeats that there were errors.
             if severity < Severity.ERROR or (severity is Severity.FATAL and found):
                 return
@@ -166,11 +170,13 @@ def _elaborated(
 class _Importer:
     """Makes a spec from one address map. Parts that a spec cannot express are collected in `faults`."""
 
-    def __init__(self, top: Any) -> None:
+    def __init__(self, top: AddrmapNode) -> None:
+        from systemrdl.node import MemNode, RegNode
+
         self._top = top
         nodes = list(top.descendants())
-        registers = [node for node in nodes if _is(node, "RegNode")]
-        self._bits = _word_bits(registers, [node for node in nodes if _is(node, "MemNode")])
+        registers = [node for node in nodes if isinstance(node, RegNode)]
+        self._bits = _word_bits(registers, [node for node in nodes if isinstance(node, MemNode)])
         self._enumerations: dict[str, str] = {}
         """Text between the braces of each enumeration, by name."""
         self._components: dict[str, str] = {}
@@ -205,30 +211,32 @@ class _Importer:
         pieces = [doc_lines(part.doc) + public, groups, *enumerations, *components]
         return format_text("\n".join(piece for piece in pieces if piece))
 
-    def _fault(self, node: Any, message: str) -> None:
+    def _fault(self, node: Node, message: str) -> None:
         self.faults.append(about("error", "unsupported", f"{flat_path(node)}: {message}", node))
 
     # From the hierarchy of other SystemRDL
 
-    def _part(self, node: Any) -> _Part:
+    def _part(self, node: AddressableNode) -> _Part:
+        from systemrdl.node import AddressableNode, AddrmapNode, MemNode, RegfileNode, RegNode
+
         part = _Part(node.type_name or node.inst_name, doc=_desc(node))
-        if _is(node, "AddrmapNode") and node.get_property("bridge"):
+        if isinstance(node, AddrmapNode) and node.get_property("bridge"):
             self._fault(node, "the maps of a bridge lie over each other: choose one, declared by itself, with --top")
             return part
         for child in node.children(unroll=False):
-            if getattr(child, "is_array", False) and child.n_elements > MOST_ITEMS:
+            if isinstance(child, AddressableNode) and child.is_array and child.n_elements > MOST_ITEMS:
                 self._fault(child, f"an array of {child.n_elements} was found, and at most {MOST_ITEMS} was expected")
-            elif _is(child, "RegNode"):
+            elif isinstance(child, RegNode):
                 self._add_register(part, child)
-            elif _is(child, "MemNode"):
+            elif isinstance(child, MemNode):
                 self._add_memory(part, child)
-            elif _is(child, "RegfileNode", "AddrmapNode"):
+            elif isinstance(child, RegfileNode | AddrmapNode):
                 inner = self._part(child)
                 if inner.members or inner.memories:
                     part.members.append(self._placed(child, inner, self._call(child, part)))
         return part
 
-    def _call(self, node: Any, part: _Part) -> str:
+    def _call(self, node: Node, part: _Part) -> str:
         """Return the name of a node in its part: its own, changed if a spec does not allow it or it is taken."""
         name = self.names[flat_path(node)] = unique_name(_name(node.inst_name), part.taken)
         if name != node.inst_name:
@@ -236,20 +244,20 @@ class _Importer:
             self.warnings.append(about("warning", "renamed", message, node))
         return name
 
-    def _placed(self, node: Any, part: _Part, name: str) -> _Placed:
+    def _placed(self, node: AddressableNode, part: _Part, name: str) -> _Placed:
         address = self._word(node.raw_address_offset, node)
-        if not node.is_array:
+        if node.array_stride is None:
             return _Placed(name, part, address)
         return _Placed(name, part, address, node.n_elements, self._word(node.array_stride, node))
 
-    def _word(self, byte_address: int, node: Any) -> int:
+    def _word(self, byte_address: int, node: Node) -> int:
         """Return the word address for a byte address; report one that is not aligned."""
         address, rest = divmod(byte_address, self._bits // 8)
         if rest:
             self._fault(node, f"byte {byte_address:#x} is not at the beginning of a word of {self._bits} bits")
         return address
 
-    def _add_memory(self, part: _Part, node: Any) -> None:
+    def _add_memory(self, part: _Part, node: MemNode) -> None:
         size = -(-node.total_size * 8 // self._bits)
         memory = _Memory(self._call(node, part), self._word(node.raw_address_offset, node), size, doc=_desc(node))
         inner = self._part(node)
@@ -260,7 +268,7 @@ class _Importer:
             memory.entries.address = 0
         part.memories.append(memory)
 
-    def _add_register(self, part: _Part, node: Any) -> None:
+    def _add_register(self, part: _Part, node: RegNode) -> None:
         if not self._has_words(node):
             return
         inner = _Part(node.type_name or node.inst_name, doc=_desc(node))
@@ -286,7 +294,7 @@ class _Importer:
             only.doc = "\n".join(filter(None, (_desc(node), only.doc)))
             part.members.append(only)
 
-    def _add_cleared(self, part: _Part, inner: _Part, node: Any) -> None:
+    def _add_cleared(self, part: _Part, inner: _Part, node: RegNode) -> None:
         """Add a register whose fields are all cleared by a read as one signal: reading one field clears the others."""
         fields = cleared_together(node, self._bits)
         low, high = min(one.low for one in fields), max(one.high for one in fields)
@@ -309,7 +317,7 @@ class _Importer:
             only.address += self._word(node.raw_address_offset, node)
             part.members.append(only)
 
-    def _has_words(self, node: Any) -> bool:
+    def _has_words(self, node: RegNode) -> bool:
         """Return whether a gateway can access the bits of a register as its words; report the reason otherwise."""
         width, access = node.get_property("regwidth"), node.get_property("accesswidth")
         if node.is_msb0_order and any(node.fields()):
@@ -327,7 +335,7 @@ class _Importer:
             return True
         return False
 
-    def _field(self, node: Any) -> _Field | None:
+    def _field(self, node: FieldNode) -> _Field | None:
         """Return a readable or writable field of a register; None if a signal cannot represent it."""
         reads, writes = node.is_sw_readable, node.is_sw_writable
         if not reads and not writes:
@@ -354,7 +362,7 @@ class _Importer:
         doc = "\n".join(filter(None, (_desc(node), *effects(node, effect))))
         return _Field(node.inst_name, address, bits, kind, access, arguments, doc)
 
-    def _kind(self, node: Any) -> tuple[str, list[str]]:
+    def _kind(self, node: FieldNode) -> tuple[str, list[str]]:
         """Return the kind of a field and the arguments that belong to the kind."""
         number, width = number_of(node), node.width
         encode = node.get_property("encode")
@@ -366,7 +374,7 @@ class _Importer:
         is_bit = width == 1 and not number.signed and not scale
         return "bool" if is_bit else f"{'signed' if number.signed else 'unsigned'} {width}", scale
 
-    def _enumeration(self, encode: Any) -> str:
+    def _enumeration(self, encode: type[UserEnum]) -> str:
         numbers = [member.value for member in encode]
         twice = next((number for number in numbers if numbers.count(number) > 1), None)
         if twice is not None:
@@ -388,8 +396,10 @@ class _Importer:
     # From the `ul_path` properties of an exported map
 
     def _part_of_paths(self) -> _Part:
+        from systemrdl.node import FieldNode, MemNode
+
         whole = _Part("top", doc=_desc(self._top))
-        fields = [node for node in self._top.descendants() if _is(node, "FieldNode")]
+        fields = [node for node in self._top.descendants() if isinstance(node, FieldNode)]
         # The signals of groups are in the exported order; the others follow, sorted by address.
         last = len(fields)
         for node in sorted(fields, key=lambda node: last if (place := self._ours(node, "order")) is None else place):
@@ -401,15 +411,15 @@ class _Importer:
             self._complete(found, node, path)
             found.address += self._word(node.parent.absolute_address, node.parent)
             part.members.append(found)
-        for node in self._top.descendants():
-            if _is(node, "MemNode"):
-                part, name = _part_at(whole, self._ours(node, "path") or node.inst_name)
-                address = self._word(node.absolute_address, node)
-                part.memories.append(_Memory(name, address, node.total_size * 8 // self._bits, doc=_desc(node)))
+        for memory in self._top.descendants():
+            if isinstance(memory, MemNode):
+                part, name = _part_at(whole, self._ours(memory, "path") or memory.inst_name)
+                address = self._word(memory.absolute_address, memory)
+                part.memories.append(_Memory(name, address, memory.total_size * 8 // self._bits, doc=_desc(memory)))
         _rebase(whole)
         return whole
 
-    def _complete(self, found: _Field, node: Any, path: str) -> None:
+    def _complete(self, found: _Field, node: FieldNode, path: str) -> None:
         """Complete a field from the `ul_` properties of its node."""
         kind, values = self._ours(node, "kind"), self._ours(node, "values")
         if kind is not None and node.get_property("encode") is None:
@@ -433,7 +443,7 @@ class _Importer:
             found.arguments.append(f"UNIT={_quoted(unit)}")
         found.doc = _desc(node)
 
-    def _ours(self, node: Any, name: str) -> Any:
+    def _ours(self, node: Node, name: str) -> Any:
         """Return a `ul_` property of a node; None if the node does not have it."""
         name = f"ul_{name}"
         return node.get_property(name) if name in node.list_properties() else None
@@ -473,7 +483,7 @@ class _Importer:
         return found
 
 
-def _bits_of(node: Any, lowest: int) -> str:
+def _bits_of(node: FieldNode, lowest: int) -> str:
     """Return the position of a field within a signal as a phrase; bits count from 0."""
     high, low = node.high - lowest, node.low - lowest
     return f"bit {low}" if high == low else f"bits {high}:{low}"
@@ -508,23 +518,21 @@ def _rebase(part: _Part) -> None:
                 one.address -= placed.address
 
 
-def _desc(node: Any) -> str:
+def _desc(node: Node) -> str:
     desc: str | None = node.get_property("desc")
     return desc or ""
 
 
-def _is(node: Any, *types: str) -> bool:
-    """Return whether a node has one of these classes, given by name: the compiler may not be installed."""
-    return type(node).__name__ in types
+def _map_around(node: Node) -> AddrmapNode:
+    from systemrdl.node import AddrmapNode
 
-
-def _map_around(node: Any) -> Any:
-    while not _is(node, "AddrmapNode"):
+    while not isinstance(node, AddrmapNode):
+        assert node.parent is not None
         node = node.parent
     return node
 
 
-def _word_bits(registers: Sequence[Any], memories: Sequence[Any]) -> int:
+def _word_bits(registers: Sequence[RegNode], memories: Sequence[MemNode]) -> int:
     """Return the word width in bits for a gateway: of the narrowest register, or without registers of the memories.
 
     A register that is wider than the widest gateway word counts with its accesswidth.

@@ -6,10 +6,13 @@ PeakRDL declares its properties itself, so that a file may use them with or with
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
+
+    from systemrdl.compiler import RDLCompiler
+    from systemrdl.node import FieldNode
 
 PEAKRDL = ("is_signed", "intwidth", "fracwidth")
 
@@ -22,7 +25,7 @@ class Number(NamedTuple):
     """Bits after the binary point; may be negative or larger than the width. None for a whole number."""
 
 
-def number_of(node: Any) -> Number:
+def number_of(node: FieldNode) -> Number:
     """Return the number format of a field.
 
     Raises:
@@ -37,7 +40,7 @@ def number_of(node: Any) -> Number:
     return Number(bool(signed), node.width - whole if fraction is None and whole is not None else fraction)
 
 
-def are_bits(node: Any) -> bool:
+def are_bits(node: FieldNode) -> bool:
     """Return whether a field is plain bits: no enumeration, and neither signed nor fixed-point."""
     try:
         return number_of(node) == Number(signed=False, fraction=None) and node.get_property("encode") is None
@@ -45,7 +48,7 @@ def are_bits(node: Any) -> bool:
         return False
 
 
-def reset_of(node: Any) -> str:
+def reset_of(node: FieldNode) -> str:
     """Return the value of a field after a reset in the syntax of a spec; empty if it is 0 or not a number.
 
     Raises:
@@ -61,7 +64,7 @@ def reset_of(node: Any) -> str:
     return str(value) if number.fraction is None else repr(math.ldexp(value, -number.fraction))
 
 
-def _property(node: Any, name: str) -> int | None:
+def _property(node: FieldNode, name: str) -> int | None:
     if name not in node.list_properties():
         return None
     value = node.get_property(name)
@@ -69,7 +72,7 @@ def _property(node: Any, name: str) -> int | None:
     return value if isinstance(value, int) else None
 
 
-def declare(compiler: Any, names: Iterable[str]) -> None:
+def declare(compiler: RDLCompiler, names: Iterable[str]) -> None:
     """Declare properties of PeakRDL to a SystemRDL compiler."""
     from systemrdl.component import Field
     from systemrdl.udp import UDPDefinition

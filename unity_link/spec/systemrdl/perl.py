@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from unity_link.spec.diagnostics import Span
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from systemrdl.compiler import RDLEnvironment
 
-def first_perl(environment: Any, path: Path, include: list[str]) -> tuple[Span, str] | None:
+
+def first_perl(environment: RDLEnvironment, path: Path, include: list[str]) -> tuple[Span, str] | None:
     """Return place and source line of the first Perl in a file or its includes; None if there is no Perl.
 
     Args:

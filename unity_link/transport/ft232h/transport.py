@@ -35,7 +35,7 @@ class ChipTransport(BufferedTransport):
         self._aborted = False
         self._error: ConnectError | None = None
 
-    def get_extra_info(self, name: str, default: Any = None) -> Any:
+    def get_extra_info(self, name: str, default: object = None) -> Any:
         """Return information that only these drivers have."""
         if name == "send_immediate":
             return self._send_immediate

@@ -81,7 +81,7 @@ class SimulatedClock:
         """Return the time."""
         return self._now
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (there is no other thread)
+    def wait(self, changed: threading.Condition, until: float) -> None:
         """Set the clock to the time."""
         self._now = max(self._now, until)
 
@@ -106,7 +106,7 @@ class LoopClock:
         """Return the time."""
         return self.loop.time()
 
-    def wait(self, changed: threading.Condition, until: float) -> None:  # noqa: ARG002  (it always raises)
+    def wait(self, changed: threading.Condition, until: float) -> None:
         """Raise RuntimeError: waiting would block the loop, and with it the time."""
         raise RuntimeError("a chip with the clock of an event loop cannot block")
 

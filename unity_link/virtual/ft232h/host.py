@@ -108,7 +108,7 @@ class _OutQueue:
         head = self.waiting[0]
         return self.port.can_take >= min(PACKET_SIZE, len(head.data) - head.sent)
 
-    def next_due(self, now: float) -> float | None:  # noqa: ARG002  (the signature of both queues)
+    def next_due(self, now: float) -> float | None:
         """Return the time at which the next packet can be sent; None without a transfer, or without room.
 
         Room is made by the board, which has a due time of its own.

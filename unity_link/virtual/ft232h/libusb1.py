@@ -105,7 +105,7 @@ class _Signal:
         else:
             self._sockets = socket.socketpair()
             for end in self._sockets:
-                end.setblocking(False)  # noqa: FBT003  (its only argument)
+                end.settimeout(0)
             # The smallest buffer, because it is filled and emptied for each event.
             self._sockets[0].setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, 1)
             self.descriptor = self._sockets[0].fileno()
@@ -165,14 +165,14 @@ class Context:
 
     # usb1's names
 
-    def getPollFDList(self) -> list[tuple[int, int]]:  # noqa: N802
+    def getPollFDList(self) -> list[tuple[int, int]]:
         """Return the file descriptors to poll, with their events."""
         return [(self._signal.descriptor, select.POLLOUT)]
 
-    def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:  # noqa: N802
+    def setPollFDNotifiers(self, added_cb: Any = None, removed_cb: Any = None) -> None:
         """Do nothing: the descriptor never changes."""
 
-    def handleEventsTimeout(self, tv: float = 0) -> None:  # noqa: ARG002, N802
+    def handleEventsTimeout(self, tv: float = 0) -> None:
         """Call the callbacks of ended transfers."""
         with self._device.changed:
             ended, self._ended = self._ended, []
@@ -180,7 +180,7 @@ class Context:
         for request in ended:
             request.call_back()
 
-    def getNextTimeout(self) -> float | None:  # noqa: N802
+    def getNextTimeout(self) -> float | None:
         """Return None: there are no timeouts."""
         return None
 
@@ -193,16 +193,16 @@ class Handle:
         self.device = device
         self._host = host
 
-    def claimInterface(self, interface: int) -> None:  # noqa: N802
+    def claimInterface(self, interface: int) -> None:
         """Claim an interface."""
         if not self.device.claim(interface, self):
             raise OSError(errno.EBUSY, f"interface {interface} is claimed")
 
-    def releaseInterface(self, interface: int) -> None:  # noqa: N802
+    def releaseInterface(self, interface: int) -> None:
         """Release an interface."""
         self.device.release(interface, self)
 
-    def clearHalt(self, endpoint: int) -> None:  # noqa: N802
+    def clearHalt(self, endpoint: int) -> None:
         """Clear the halt of an endpoint."""
         with self.device.changed:
             self.device.host.control_out(0x02, 0x01, 0, endpoint, self.device.now())
@@ -226,7 +226,7 @@ class Handle:
             self.device.host.cancel(transfer, self.device.now())
         self._host.wake()
 
-    def getTransfer(self) -> TransferRequest:  # noqa: N802
+    def getTransfer(self) -> TransferRequest:
         """Return a new transfer."""
         return TransferRequest(self)
 
@@ -248,7 +248,7 @@ class TransferRequest:
         self._callback: Callable[[TransferRequest], None] | None = None
         self._submitted = False
 
-    def setBulk(  # noqa: N802
+    def setBulk(
         self, endpoint: int, buffer_or_len: bytes | int, callback: Callable[[TransferRequest], None] | None = None
     ) -> None:
         """Set endpoint, data and callback of the transfer."""
@@ -269,7 +269,7 @@ class TransferRequest:
             self._submitted = False
             raise
 
-    def _end(self, transfer: Transfer) -> None:  # noqa: ARG002
+    def _end(self, transfer: Transfer) -> None:
         self._handle.context.ended(self)
 
     def call_back(self) -> None:
@@ -283,22 +283,22 @@ class TransferRequest:
         assert self._transfer is not None
         self._handle.cancel(self._transfer)
 
-    def isSubmitted(self) -> bool:  # noqa: N802
+    def isSubmitted(self) -> bool:
         """Return True if the transfer is pending."""
         return self._submitted
 
-    def getStatus(self) -> int:  # noqa: N802
+    def getStatus(self) -> int:
         """Return the result of the transfer."""
         assert self._transfer is not None
         assert self._transfer.status is not None
         return _STATUSES[self._transfer.status]
 
-    def getActualLength(self) -> int:  # noqa: N802
+    def getActualLength(self) -> int:
         """Return the number of bytes received or sent."""
         assert self._transfer is not None
         return self._transfer.moved
 
-    def getBuffer(self) -> bytearray:  # noqa: N802
+    def getBuffer(self) -> bytearray:
         """Return the received bytes."""
         assert self._transfer is not None
         return self._transfer.data

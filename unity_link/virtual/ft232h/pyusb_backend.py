@@ -59,7 +59,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
         """Return the chip with an address on the bus."""
         return next(device for device in self._bus.devices if device.address == address)
 
-    def open_for_transfers(self, bus: int, address: int, interface: int) -> tuple[Any, Any]:  # noqa: ARG002  (there is one bus)
+    def open_for_transfers(self, bus: int, address: int, interface: int) -> tuple[Any, Any]:
         """Return the replacements for libusb's context and handle of a chip, for overlapped transfers."""
         from unity_link.virtual.ft232h.libusb1 import Context
 
@@ -137,7 +137,7 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
             raise _error(_LIBUSB_ERROR_NO_DEVICE)
         dev_handle.device.release(intf, dev_handle)
 
-    def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:  # noqa: ARG002
+    def is_kernel_driver_active(self, dev_handle: OpenDevice, intf: int) -> bool:
         """Return False: no kernel driver uses the device."""
         return False
 
@@ -155,12 +155,12 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
     def ctrl_transfer(
         self,
         dev_handle: OpenDevice,
-        bmRequestType: int,  # noqa: N803
-        bRequest: int,  # noqa: N803
-        wValue: int,  # noqa: N803
-        wIndex: int,  # noqa: N803
+        bmRequestType: int,
+        bRequest: int,
+        wValue: int,
+        wIndex: int,
         data: array[int] | None,
-        timeout: int,  # noqa: ARG002  (the chip answers at once)
+        timeout: int,
     ) -> int:
         """Execute a control request, and return the number of transferred bytes."""
         device = dev_handle.device
@@ -177,13 +177,13 @@ class Backend(IBackend):  # type: ignore[misc]  # pyusb has no types
             raise _error(_LIBUSB_ERROR_NO_DEVICE) from None
         return _fill(data, answer)
 
-    def bulk_read(self, dev_handle: OpenDevice, ep: int, intf: int, buff: array[int], timeout: int) -> int:  # noqa: ARG002
+    def bulk_read(self, dev_handle: OpenDevice, ep: int, intf: int, buff: array[int], timeout: int) -> int:
         """Read into `buff`, and return the number of received bytes; `timeout` is in ms, 0 for no limit."""
         transfer = Transfer(ep, size=len(buff))
         self._run(dev_handle, transfer, timeout)
         return _fill(buff, transfer.data)
 
-    def bulk_write(self, dev_handle: OpenDevice, ep: int, intf: int, data: array[int], timeout: int) -> int:  # noqa: ARG002
+    def bulk_write(self, dev_handle: OpenDevice, ep: int, intf: int, data: array[int], timeout: int) -> int:
         """Write bytes, and return the number of sent bytes; `timeout` is in ms, 0 for no limit."""
         transfer = Transfer(ep, data=data.tobytes())
         self._run(dev_handle, transfer, timeout)

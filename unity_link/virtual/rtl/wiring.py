@@ -99,7 +99,7 @@ class Got:
     def look(self, cell: Cell) -> None:
         """Do nothing: the model may read the value."""
 
-    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (it always raises)
+    def drive(self, cell: Cell, _: int) -> None:
         """Raise an error: only programs write the register.
 
         Raises:
