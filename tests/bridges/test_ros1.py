@@ -256,7 +256,7 @@ def test_a_robot_of_ones_own_has_its_topics(ros: int, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:
+def test_samples_arrive_once_in_order_with_the_gateways_distances_in_time(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "node /unity_link_scara")
 
@@ -272,7 +272,7 @@ def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_cloc
 
 
 @pytest.mark.slow
-def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(ros: int, tmp_path: Path) -> None:
+def test_values_on_a_topic_are_written_in_order_and_bad_ones_reported(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
 
@@ -481,9 +481,7 @@ def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, t
 
 
 @pytest.mark.slow
-def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_the_end_and_may_go_on(
-    ros: int, tmp_path: Path
-) -> None:
+def test_subscriber_that_stops_reading_delays_no_other_and_may_resume(ros: int, tmp_path: Path) -> None:
     with (
         master(ros),
         bench_bridge(tmp_path, FAST_GATEWAY) as process,
@@ -507,7 +505,7 @@ def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_
 
 
 @pytest.mark.slow
-def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
+def test_gateway_may_start_late_and_restart_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
     gateway = Noted(tmp_path)
     with master(ros), contextlib.ExitStack() as bridge:
         process = bridge.enter_context(program("ros1", gateway.spec, "--link", gateway.url))
@@ -527,7 +525,7 @@ def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice
 
 
 @pytest.mark.slow
-def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
+def test_value_that_is_no_number_is_reported_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
 
@@ -539,7 +537,7 @@ def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_writte
 
 
 @pytest.mark.slow
-def test_a_second_bridge_takes_the_name_of_the_first_which_ends_in_a_sentence(ros: int, tmp_path: Path) -> None:
+def test_second_bridge_takes_the_name_of_the_first_which_ends_with_an_error(ros: int, tmp_path: Path) -> None:
     with master(ros), bench_bridge(tmp_path, FAST_GATEWAY) as first, bench_bridge(tmp_path, FAST_GATEWAY):
         assert "new node registered with same name" in wait_for(first, "ROS ended the node /unity_link_bench")
         assert first.wait(PATIENCE) == 1

@@ -127,7 +127,7 @@ def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str,
 
 @needs_ros
 @pytest.mark.slow
-def test_the_node_samples_and_moves_the_gateware_behind_rmii_whose_link_is_shared(
+def test_node_samples_and_moves_shared_gateware_on_rmii(
     environment: dict[str, str], tmp_path: Path, gateway: Plugged
 ) -> None:
     gateway.call("poke", 0x89, HALF_A_RADIAN)
