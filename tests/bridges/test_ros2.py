@@ -1,4 +1,4 @@
-"""The bridge to ROS 2 against a participant of CycloneDDS in another process, with ROS 2's own type definitions."""
+"""The bridge to ROS 2 with a participant of CycloneDDS in another process, and ROS 2's own type definitions."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ public rover() {
 ROS = get_typestore(Stores.ROS2_JAZZY)
 
 SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
-"""Degrees and millimetres a count, of the joints of the SCARA."""
+"""Degrees (joint 3: millimetres) per count, of the joints of the SCARA."""
 VALUES: dict[str, Any] = {
     "Bool": True,
     **{f"{sign}Int{bits}": (1 << (bits - 1)) - 1 for sign in ("", "U") for bits in (8, 16, 32, 64)},
@@ -235,7 +235,7 @@ def test_diagnostics_tell_of_the_link_to_reliable_readers(quality: Quality, tmp_
 
     (status,) = first["status"]
     values = {one["key"]: one["value"] for one in status["values"]}
-    # A busy machine may have lost samples by then, or sent a request again.
+    # A busy machine may have lost samples, or retransmitted a request.
     assert (status["level"], status["message"].partition(" ")[0]) in ((0, "connected"), (1, "samples"))
     assert (status["name"], status["hardware_id"]) == ("unity_link_scara: link", url)
     assert values["connected"] == "True"
@@ -494,7 +494,7 @@ def test_a_quality_for_a_topic_that_there_is_not_is_refused(tmp_path: Path) -> N
 
 
 def devices_of_ports() -> set[bytes]:
-    """Return the devices to which what this process has open for UDP at all addresses is bound; empty: to none."""
+    """Return the devices to which UDP sockets of this process with the address 0.0.0.0 are bound; "" is no device."""
     found = set()
     for file in Path("/proc/self/fd").iterdir():
         with contextlib.suppress(OSError):
