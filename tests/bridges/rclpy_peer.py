@@ -1,11 +1,11 @@
-"""A node of rclpy that does what its stdin says, a JSON object a line, and answers each by a line of JSON.
+"""A node of rclpy that executes commands from stdin, one JSON object on each line, and answers each with a JSON line.
 
-It runs in an environment of a distribution of ROS 2, where the other modules of the tests cannot be imported::
+It runs in an environment of a distribution of ROS 2, which cannot import the other modules of the tests::
 
     {"do": "listen", "topic": "/scara/j1/cpos", "kind": "std_msgs/Float64", "quality": "sensor_data"}
     {"do": "heard", "topic": "/scara/j1/cpos", "count": 100}
 
-The methods of `Peer` are what can be done.
+The commands are the methods of `Peer`.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class Peer:
         threading.Thread(target=rclpy.spin, args=(self.node,), daemon=True).start()
 
     def listen(self, topic: str, kind: str, quality: str = "default", seconds: float = 0) -> None:
-        """Subscribe to a topic, and spend some time on each message."""
+        """Subscribe to a topic; spend `seconds` on each message."""
         seen = self.seen[topic] = []
 
         def take(message: Any) -> None:
@@ -90,16 +90,16 @@ class Peer:
         self.node.create_subscription(type_of(kind), topic, take, QUALITIES[quality])
 
     def heard(self, topic: str, count: int = 1) -> list[Any]:
-        """Wait for so many messages of a topic that is listened to, and return all that have come."""
+        """Wait for `count` messages of a subscribed topic; return all that have arrived."""
         wait_until(lambda: len(self.seen[topic]) >= count)
         return [plain(message) for message in list(self.seen[topic])]
 
     def heard_count(self, topic: str) -> int:
-        """Return how many messages of a topic have come."""
+        """Return the number of messages of a topic that have arrived."""
         return len(self.seen[topic])
 
     def heard_recent(self, topic: str, seconds: float) -> bool:
-        """Wait until the header of the last message is as recent as this; return whether it is."""
+        """Wait until the header of the last message is at most `seconds` old; return True if it is."""
 
         def age() -> float:
             stamp = self.seen[topic][-1].header.stamp
@@ -108,12 +108,12 @@ class Peer:
         return wait_until(lambda: age() < seconds)
 
     def heard_last(self, topic: str, values: list[Any], field: str = "data") -> bool:
-        """Wait until a field of the last message of a topic is one of some values; return whether it is."""
+        """Wait until a field of the last message has one of some values; return True if it has."""
         seen = self.seen[topic]
         return wait_until(lambda: seen and plain(getattr(seen[-1], field)) in values)
 
     def publish(self, topic: str, kind: str, messages: list[dict[str, Any]]) -> int:
-        """Publish as soon as somebody subscribes; return how many subscribe."""
+        """Publish messages as soon as the topic has a subscriber; return the number of subscribers."""
         if topic not in self.publishers:
             self.publishers[topic] = self.node.create_publisher(type_of(kind), topic, DEPTH)
         publisher = self.publishers[topic]
@@ -137,7 +137,7 @@ class Peer:
         self.node.destroy_publisher(self.publishers.pop(topic))
 
     def call(self, service: str, kind: str, request: dict[str, Any]) -> Any:
-        """Call a service, and return its response."""
+        """Call a service; return its response."""
         found = type_of(kind, "srv")
         client = self.node.create_client(found, service)
         client.wait_for_service(PATIENCE)
@@ -146,7 +146,7 @@ class Peer:
         return plain(future.result())
 
     def graph(self) -> Any:
-        """Return the names of nodes, and topics and services with their types."""
+        """Return the names of nodes, and the topics and services with their types."""
         nodes = [f"{namespace.rstrip('/')}/{name}" for name, namespace in self.node.get_node_names_and_namespaces()]
         topics, services = self.node.get_topic_names_and_types(), self.node.get_service_names_and_types()
         return {"nodes": nodes, "topics": dict(topics), "services": dict(services)}

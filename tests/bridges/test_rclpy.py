@@ -1,4 +1,4 @@
-"""The bridge to ROS 2 as true nodes of rclpy see it, of each distribution that `make ros-venvs` has installed."""
+"""The bridge to ROS 2 as real nodes of rclpy see it, for each distribution that `make ros-venvs` has installed."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def transport(request: pytest.FixtureRequest) -> str:
 
 @contextmanager
 def served(folder: Path, gateway: str = GATEWAY) -> Iterator[str]:
-    """Share a gateway, so that the test sees what is written to it; give its URL."""
+    """Share a gateway, so that the test can read the written values; yield its URL."""
     with subprocess.Popen(
         [PROGRAM, "serve", gateway, "--unix", str(folder / "gateway")], stdout=subprocess.PIPE, text=True
     ) as server:
@@ -62,7 +62,7 @@ def served(folder: Path, gateway: str = GATEWAY) -> Iterator[str]:
 
 
 def move(node: Node, topic: str, kind: str, message: dict[str, Any], obeyed: Any) -> None:
-    """Publish a set point until it is obeyed: the subscriber may match a moment after the publisher does."""
+    """Publish a set point until the robot has it: the subscriber may match shortly after the publisher does."""
 
     def is_obeyed() -> bool:
         node.publish(topic, kind, [message])
@@ -176,7 +176,7 @@ def test_a_wrong_parameter_of_a_node_is_one_sentence(ros: Ros, words: str, messa
 def test_a_node_has_its_settings_as_parameters_and_takes_integers_for_floats(ros: Ros) -> None:
     words = "-r", "__node:=arm", "-p", "poll_hz:=5", "-p", "topics.j1/cpos.quality:=sensor_data"
     with ros.bridge("rclpy", SPEC, "--link", "sim:scara", "--ros-args", *words) as bridge, ros.node() as node:
-        # With poll_hz, what nothing else samples is published, too.
+        # With poll_hz, the bridge also publishes signals that no group samples.
         wait_for(bridge, "16 topics published")
         request = {"names": ["poll_hz", "link", "quality"]}
         answer = node.call(service="/arm/get_parameters", kind="rcl_interfaces/GetParameters", request=request)
@@ -193,7 +193,7 @@ def test_a_second_bridge_at_the_same_topics_is_refused(ros: Ros, transport: str)
         wait_for(first, "at /scara")
         with ros.bridge(transport, SPEC, "--link", "sim:scara") as second:
             said = wait_for(second, "another bridge is at /scara, and both would write")
-            # A bridge whose discovery was slow has begun, and says so as an error of its node.
+            # After slow discovery, the bridge has started already, and reports this as an error of its node.
             assert "[ERROR]" in said or second.wait(PATIENCE) == 1
 
 
@@ -212,7 +212,7 @@ def test_twenty_thousand_joint_states_at_1_khz_all_arrive(ros: Ros, transport: s
         summary = wait_for(bridge, "messages sent")
         sent = int(re.search("([0-9,]+) messages sent", summary)[1].replace(",", ""))  # type: ignore[index]
         wait_until(lambda: node.heard_count(STATES[0]) >= sent)
-        # A machine that is busy loses samples before they are messages.
+        # A busy machine loses samples before they become messages.
         assert node.heard_count(STATES[0]) == sent
 
 
@@ -221,7 +221,7 @@ def test_a_slow_subscriber_delays_the_end_of_a_bridge_by_seconds(ros: Ros, trans
     spec.write_text(FAST_SPEC)
     with ros.bridge(transport, str(spec), "--link", FAST_GATEWAY) as bridge, ros.node() as node:
         wait_for(bridge, "at /bench")
-        # Each message is confirmed just in time, and the samples that wait for it would need a quarter of an hour.
+        # Each message is confirmed just in time; the samples that wait for it would need a quarter of an hour.
         node.listen("/bench/value", "std_msgs/Float64", quality="all", seconds=0.02)
         wait_until(lambda: node.heard_count("/bench/value") >= 200)
         bridge.send_signal(signal.SIGINT)
@@ -243,7 +243,7 @@ def test_a_generated_package_is_built_and_started_in_two_namespaces(ros: Ros, tm
         for name in ("left", "right"):
             (tmp_path / name).mkdir()
             url = stack.enter_context(served(tmp_path / name))
-            # As a launch file with a namespace starts it.
+            # A launch file with a namespace starts the bridge like this.
             words = "-r", "__node:=unity_link_scara", "-r", f"__ns:=/{name}", "--params-file", parameters
             process = subprocess.Popen(
                 [f"{site}/bin/bridge", "--ros-args", *words, "-p", f"link:={url}"],

@@ -1,4 +1,4 @@
-"""A lease that ROS 2 arms, by true nodes of rclpy: who may, what keeps it, and what ends it."""
+"""A lease that ROS 2 arms, from real nodes of rclpy: which programs may arm it, and the events that keep or end it."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ OFF = "arming from ROS is off: start the bridge with --allow-arm"
 
 
 class Rover(NamedTuple):
-    """A robot, its bridge, and a node."""
+    """A robot with its bridge and a node."""
 
     transport: str
     bridge: subprocess.Popen[str]
@@ -48,7 +48,10 @@ class Rover(NamedTuple):
     robot: Any
 
     def arm(self, node: Node, said: str, *, armed: bool = True, often: bool = True) -> None:
-        """Arm or disarm; the answer, or the log of the bridge, has some words. Once only if the topics have matched."""
+        """Arm or disarm; assert that the answer, or the log of the bridge, has `said`.
+
+        `often=False` publishes once only, which needs matched topics.
+        """
         if self.transport == "rclpy":
             answer = node.call(service=ARM, kind="std_srvs/SetBool", request={"data": armed})
             assert said in answer["message"]
@@ -58,7 +61,7 @@ class Rover(NamedTuple):
             wait_for(self.bridge, said)
 
     def moves(self, node: Node, speed: float) -> bool:
-        """Arm unless it is armed, publish a set point, and return whether it stands in its register."""
+        """Arm if disarmed, and publish a set point; return True if the register has the set point."""
         node.publish(LEFT, "std_msgs/Float64", [{"data": speed}])
         if not self.robot.drive.armed_.get() and self.transport == "rclpy":
             node.call(service=ARM, kind="std_srvs/SetBool", request={"data": True})
@@ -77,7 +80,7 @@ def rover(ros: Ros, transport: str, folder: Path, *words: str) -> Iterator[Rover
         ros.node() as node,
         blocking.connect(url) as link,
     ):
-        # Neither `arm` and `kick` nor other words of the lease are topics.
+        # `arm`, `kick` and the other words of the lease are no topics.
         wait_for(bridge, "2 topics published, 5 subscribed to at /rover")
         node.listen(ARMED, "std_msgs/Bool", quality="latched")
         assert node.heard_last(ARMED, values=[False])
@@ -98,7 +101,7 @@ def transport(request: pytest.FixtureRequest) -> str:
 def test_a_program_arms_moves_and_is_disarmed_by_anybody(ros: Ros, transport: str, tmp_path: Path) -> None:
     with rover(ros, transport, tmp_path, "--allow-arm") as it, ros.node("other") as other:
         it.arm(it.node, "and there are: none")
-        # Its answer comes after those to the copies of the first message.
+        # Its answer comes after the answers to the copies of the first message.
         it.arm(it.node, "drive is disarmed", armed=False, often=False)
         it.node.publish_often(LEFT, "std_msgs/Float64", [{"data": 0.5}])
         wait_for(it.bridge, "left.speed is not written, because drive was disarmed")

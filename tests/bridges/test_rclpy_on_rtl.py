@@ -1,4 +1,4 @@
-"""ROS 2 on compiled gateware: safe when its program is killed, and each point of a trajectory in its clock cycle."""
+"""ROS 2 on compiled gateware: outputs are safe when their program is killed; trajectories keep their clock cycles."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 GATEWAY = "rtl:{}?clock_hz=1000000"
 SET_POINT = "/arm/j_0/target", "std_msgs/Float64"
 LEAD = 5.0
-"""Seconds from a trajectory to its start: enough to put all points into the queue while other programs run."""
+"""Seconds from a trajectory to its start: enough to queue all points while other programs run."""
 FAST_DDS = """<dds xmlns="http://www.eprosima.com"><profiles>
   <participant profile_name="mover" is_default_profile="true"><rtps><builtin><discovery_config>
     <leaseDuration><sec>2</sec></leaseDuration><leaseAnnouncement><nanosec>500000000</nanosec></leaseAnnouncement>
   </discovery_config></builtin></rtps></participant>
 </profiles></dds>"""
-"""Programs that were killed stay in the graph for 2 s, not for the 20 s of Fast DDS: until then nobody else can arm."""
+"""Killed programs stay in the graph for 2 s instead of the 20 s of Fast DDS; no other program can arm until then."""
 pytestmark = [pytest.mark.rtl, pytest.mark.slow]
 
 
@@ -37,7 +37,7 @@ def transport(request: pytest.FixtureRequest) -> str:
 def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str, kills: int, tmp_path: Path) -> None:
     profiles = tmp_path / "fast_dds.xml"
     profiles.write_text(FAST_DDS)
-    # The first name is of Jazzy, the second of Kilted.
+    # The first name is for Jazzy, the second for Kilted.
     of_movers = dict.fromkeys(("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE"), str(profiles))
     with arm(transport, tmp_path, GATEWAY, "--allow-arm", timeout=1) as it:
         robot = it.robot
@@ -49,7 +49,7 @@ def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str,
                     node.publish(*SET_POINT, [{"data": 0.5}])
                     if not it.is_armed(node):
                         return False
-                    # The last set point of all: after it, none is on its way.
+                    # The last set point: no other one is on its way after it.
                     node.publish(*SET_POINT, [{"data": 1.0}])
                     wait_until(lambda: robot.j[0].target.get() == 1 or not robot.drive.armed_.get())
                     return bool(robot.j[0].target.get() == 1)
@@ -60,7 +60,7 @@ def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str,
                 killed = robot.drive.clock.get()
             wait_until(lambda: not robot.drive.armed_.get())
             assert robot.j[0].target.get() == 0
-            # Otherwise the bridge has seen that the publisher was gone.
+            # With another reason, the bridge has detected that the publisher was gone.
             if robot.drive.reason.get().name == "silence":
                 # A set point may have been on its way when its program was killed.
                 assert robot.drive.fault_time.get() <= killed + 1.1 * robot.link.gateway.clock_hz
@@ -75,7 +75,7 @@ def test_five_hundred_points_of_six_joints_act_at_1_khz_on_compiled_gateware(tra
         assert "500 points are played" in wait_for(it.bridge, "joint_trajectory:")
         assert "500 points have acted" in wait_for(it.bridge, "joint_trajectory:")
         wait_until(lambda: it.says("500 points have acted"))
-        # The schedule counts a point that acts in another cycle than its own as late, or as refused.
+        # The schedule counts a point that acts in another clock cycle than its own as late or refused.
         assert [it.robot.plan.late.get(), it.robot.plan.refused.get()] == [0, 0]
         assert it.robot.plan.fates.get() == 500
         it.node.publish(*TOPIC, [{}])

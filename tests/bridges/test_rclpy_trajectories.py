@@ -1,4 +1,4 @@
-"""Trajectories of ROS 2, from true nodes of rclpy: played by a schedule, or refused as a whole with the reason."""
+"""Trajectories of ROS 2, from real nodes of rclpy: played by a schedule, or refused as a whole with the reason."""
 
 from __future__ import annotations
 
@@ -45,13 +45,13 @@ def point(milliseconds: int, positions: list[float], **more: Any) -> dict[str, A
 
 
 def path(points: int) -> dict[str, Any]:
-    """Return a trajectory at 1 kHz whose last point has positions from 0.5 rad on."""
+    """Return a trajectory at 1 kHz, at the end of which the joints have positions from 0.5 rad on."""
     rows = [[0.5 * math.sin(math.pi / 2 * (n + 1) / points) + 0.1 * j for j in range(6)] for n in range(points)]
     return {"joint_names": NAMES, "points": [point(n, row) for n, row in enumerate(rows)]}
 
 
 class Arm(NamedTuple):
-    """A robot, its bridge, and a node."""
+    """A robot with its bridge and a node."""
 
     ros: Ros
     transport: str
@@ -60,7 +60,7 @@ class Arm(NamedTuple):
     robot: Any
 
     def is_armed(self, node: Node | None = None) -> bool:
-        """Arm from a node unless it is armed; the publisher of trajectories is there."""
+        """Arm from a node if disarmed; return True if armed."""
         node = node or self.node
         if not self.robot.drive.armed_.get() and self.transport == "rclpy":
             node.call(service="/arm/drive/arm", kind="std_srvs/SetBool", request={"data": True})
@@ -69,7 +69,7 @@ class Arm(NamedTuple):
         return bool(self.robot.drive.armed_.get())
 
     def says(self, words: str) -> bool:
-        """Return whether the diagnostics have some words about the trajectory."""
+        """Return True if the diagnostics of the trajectory contain `words`."""
         last = self.node.last(topic="/diagnostics")
         statuses = [] if last is None else last["status"]
         return any(words in one["message"] for one in statuses if one["name"] == "unity_link_arm: joint_trajectory")
@@ -130,7 +130,7 @@ def test_ten_kinds_of_wrong_trajectories_are_refused_whole_with_the_reason(trans
 def test_a_trajectory_without_points_or_publisher_disarms(transport: str, reason: str, tmp_path: Path) -> None:
     with arm(transport, tmp_path, "sim:{}", "--allow-arm") as it:
         wait_until(it.is_armed)
-        # The second point is far away, and the lease is kicked until then.
+        # The second point is far ahead, and the lease is kicked until then.
         it.node.publish(*TOPIC, [path(2) | {"points": [point(0, [0.1] * 6), point(60_000, [1.0] * 6)]}])
         wait_until(lambda: it.robot.j[0].target.get() == pytest.approx(0.1))
         if reason == "it is empty":

@@ -1,4 +1,4 @@
-"""The bridge to ROS 1 against the real one: a rosmaster, nodes of rospy, and `rostopic`."""
+"""The bridge to ROS 1 with the real ROS 1: a rosmaster, nodes of rospy, and `rostopic`."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ fields = [status.level, status.name, status.message, status.hardware_id]
 print(json.dumps({"sum": told["md5sum"], "status": fields, "values": values}))
 """
 SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
-"""Degrees and millimetres a count, of the joints of the SCARA."""
+"""Degrees (joint 3: millimetres) per count, of the joints of the SCARA."""
 
 COUNTING_LISTENER = """
 import sys, threading, rospy
@@ -143,7 +143,7 @@ for value in itertools.count():
 
 @pytest.fixture
 def ros(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> int:
-    """Choose a port for the master; every process of the test will look for it there."""
+    """Choose a port for the master; each process of the test gets it from the environment."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port: int = free.getsockname()[1]
     monkeypatch.setenv("ROS_MASTER_URI", f"http://127.0.0.1:{port}")
@@ -183,7 +183,7 @@ def rostopic(*arguments: str) -> str:
 
 
 def with_length(message: Any) -> bytes:
-    """Serialise a message as rospy does, behind its length."""
+    """Return a message as rospy serialises it, after its length."""
     buffer = io.BytesIO()
     message.serialize(buffer)
     return struct.pack("<I", len(buffer.getvalue())) + buffer.getvalue()
@@ -256,7 +256,7 @@ def test_a_robot_of_ones_own_has_its_topics(ros: int, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:
+def test_samples_arrive_once_in_order_with_the_gateways_distances_in_time(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "node /unity_link_scara")
 
@@ -266,13 +266,13 @@ def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_cloc
     distances = [later[1] - earlier[1] for earlier, later in itertools.pairwise(seen)]
     assert sequence == list(range(sequence[0], sequence[0] + len(seen)))
     assert seen[0][2] == ["j1", "j2", "j3", "j4"]
-    # Within a batch the gateway's clock tells the distance; between batches the arrival has its say.
+    # Within a batch, distances are those of the gateway's clock; between batches, the arrival has an influence.
     exact = [distance for distance in distances if abs(distance - 5_000_000) < 1000]
     assert len(exact) > 0
 
 
 @pytest.mark.slow
-def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(ros: int, tmp_path: Path) -> None:
+def test_values_on_a_topic_are_written_in_order_and_bad_ones_reported(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
 
@@ -314,7 +314,7 @@ def test_of_two_robots_in_two_namespaces_one_set_point_moves_one(
         links = []
         for name in ("left", "right"):
             (tmp_path / name).mkdir()
-            # As roslaunch starts the nodes of a <group ns="left">.
+            # roslaunch starts the nodes of a <group ns="left"> like this.
             monkeypatch.setenv("ROS_NAMESPACE", name)
             bridge = bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path / name, "scara/j2/pos_sp:=elbow")
             process, url = bridges.enter_context(bridge)
@@ -347,7 +347,7 @@ def test_diagnostics_tell_of_the_link(ros: int, tmp_path: Path) -> None:
 
     assert seen["sum"] == "60810da900de1dd6ddd437c3503511da"
     level, name, message, hardware = seen["status"]
-    # A busy machine may have lost samples by then, or sent a request again.
+    # A busy machine may have lost samples, or retransmitted a request.
     assert (level, message.partition(" ")[0]) in ((0, "connected"), (1, "samples"))
     assert (name, hardware) == ("unity_link_scara: link", url)
     assert seen["values"]["connected"] == "True"
@@ -389,10 +389,10 @@ def bench_bridge(folder: Path, gateway: str) -> Iterator[subprocess.Popen[str]]:
 
 
 def listening_at(process: subprocess.Popen[str]) -> set[str]:
-    """Return the addresses, as Linux writes them, at which a program listens for TCP."""
+    """Return the addresses at which a program listens for TCP, as Linux writes them."""
     ours = set()
     for file in Path(f"/proc/{process.pid}/fd").iterdir():
-        # Some are closed meanwhile.
+        # Some files are closed meanwhile.
         with contextlib.suppress(OSError):
             ours.add(str(file.readlink()))
     lines = [line.split() for name in ("tcp", "tcp6") for line in Path("/proc/net", name).read_text().splitlines()[1:]]
@@ -467,7 +467,7 @@ def test_wrong_use_is_told_in_one_sentence(
 
 @pytest.mark.slow
 def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, tmp_path: Path) -> None:
-    # No machine is too slow for so few samples.
+    # Every machine is fast enough for so few samples.
     gateway = FAST_GATEWAY.replace("20000000", "2000000")
     with master(ros), bench_bridge(tmp_path, gateway) as process, node(COUNTING_LISTENER, "20000") as other:
         assert line_of(other) == "listening"
@@ -481,9 +481,7 @@ def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, t
 
 
 @pytest.mark.slow
-def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_the_end_and_may_go_on(
-    ros: int, tmp_path: Path
-) -> None:
+def test_subscriber_that_stops_reading_delays_no_other_and_may_resume(ros: int, tmp_path: Path) -> None:
     with (
         master(ros),
         bench_bridge(tmp_path, FAST_GATEWAY) as process,
@@ -507,7 +505,7 @@ def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_
 
 
 @pytest.mark.slow
-def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
+def test_gateway_may_start_late_and_restart_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
     gateway = Noted(tmp_path)
     with master(ros), contextlib.ExitStack() as bridge:
         process = bridge.enter_context(program("ros1", gateway.spec, "--link", gateway.url))
@@ -527,7 +525,7 @@ def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice
 
 
 @pytest.mark.slow
-def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
+def test_value_that_is_no_number_is_reported_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
 
@@ -539,7 +537,7 @@ def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_writte
 
 
 @pytest.mark.slow
-def test_a_second_bridge_takes_the_name_of_the_first_which_ends_in_a_sentence(ros: int, tmp_path: Path) -> None:
+def test_second_bridge_takes_the_name_of_the_first_which_ends_with_an_error(ros: int, tmp_path: Path) -> None:
     with master(ros), bench_bridge(tmp_path, FAST_GATEWAY) as first, bench_bridge(tmp_path, FAST_GATEWAY):
         assert "new node registered with same name" in wait_for(first, "ROS ended the node /unity_link_bench")
         assert first.wait(PATIENCE) == 1
@@ -598,7 +596,7 @@ def test_a_program_arms_by_a_service_moves_and_is_killed(ros: int, tmp_path: Pat
             armer.kill()
             wait_until(lambda: not robot.drive.armed_.get())
             assert robot.speed.get() == 0
-        # The connection of a killed program ends at once, which is seen before the silence.
+        # The connection of a killed program ends at once; the bridge detects that before the silence.
         assert "drive" in wait_for(process, "drive is ")
 
 

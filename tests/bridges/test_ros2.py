@@ -1,4 +1,4 @@
-"""The bridge to ROS 2 against a participant of CycloneDDS in another process, with ROS 2's own type definitions."""
+"""The bridge to ROS 2 with a participant of CycloneDDS in another process, and ROS 2's own type definitions."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ public rover() {
 ROS = get_typestore(Stores.ROS2_JAZZY)
 
 SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
-"""Degrees and millimetres a count, of the joints of the SCARA."""
+"""Degrees (joint 3: millimetres) per count, of the joints of the SCARA."""
 VALUES: dict[str, Any] = {
     "Bool": True,
     **{f"{sign}Int{bits}": (1 << (bits - 1)) - 1 for sign in ("", "U") for bits in (8, 16, 32, 64)},
@@ -72,7 +72,7 @@ VALUES: dict[str, Any] = {
 
 
 @pytest.mark.parametrize("name", VALUES)
-def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_it(name: str) -> None:
+def test_standard_message_has_the_bytes_name_and_hash_of_ros_2(name: str) -> None:
     known = TYPES[name]
     full_name = f"std_msgs/msg/{name}"
 
@@ -86,7 +86,7 @@ def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_
 
 
 @pytest.mark.parametrize("name", VALUES)
-def test_a_standard_message_of_either_byte_order_is_read_and_one_that_is_too_short_has_no_value(name: str) -> None:
+def test_message_of_either_byte_order_is_read_and_a_short_one_has_no_value(name: str) -> None:
     struct, full_name = TYPES[name].struct, f"std_msgs/msg/{name}"
     for little_endian in (True, False):
         message = ROS.types[full_name](data=VALUES[name])
@@ -181,7 +181,7 @@ def topic_of(path: str) -> str:
 
 
 @pytest.mark.slow
-def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(tmp_path: Path) -> None:
+def test_values_on_a_topic_are_written_in_order_and_bad_ones_reported(tmp_path: Path) -> None:
     domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain), "--namespace", "arm") as (
         process,
@@ -235,7 +235,7 @@ def test_diagnostics_tell_of_the_link_to_reliable_readers(quality: Quality, tmp_
 
     (status,) = first["status"]
     values = {one["key"]: one["value"] for one in status["values"]}
-    # A busy machine may have lost samples by then, or sent a request again.
+    # A busy machine may have lost samples, or retransmitted a request.
     assert (status["level"], status["message"].partition(" ")[0]) in ((0, "connected"), (1, "samples"))
     assert (status["name"], status["hardware_id"]) == ("unity_link_scara: link", url)
     assert values["connected"] == "True"
@@ -293,7 +293,7 @@ def running_peer(domain: int, *arguments: str) -> Iterator[subprocess.Popen[str]
 
 
 @pytest.mark.slow
-def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_are_served_when_it_is_given_up(
+def test_stuck_reader_delays_no_write_and_no_end_and_is_given_up(
     tmp_path: Path,
 ) -> None:
     spec = tmp_path / "bench.ul"
@@ -322,7 +322,7 @@ def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_a
 
 
 @pytest.mark.slow
-def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(tmp_path: Path) -> None:
+def test_gateway_may_start_late_and_restart_and_no_value_is_written_twice(tmp_path: Path) -> None:
     gateway, domain = Noted(tmp_path), free_domain()
     with contextlib.ExitStack() as bridge:
         process = bridge.enter_context(program("ros2", gateway.spec, "--link", gateway.url, "--domain", str(domain)))
@@ -342,7 +342,7 @@ def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice
 
 
 @pytest.mark.slow
-def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(tmp_path: Path) -> None:
+def test_value_that_is_no_number_is_reported_and_the_next_value_is_written(tmp_path: Path) -> None:
     domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
         wait_for(process, "topics published")
@@ -355,7 +355,7 @@ def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_writte
 
 
 @pytest.mark.slow
-def test_a_second_bridge_at_the_same_topics_is_refused_in_a_sentence_and_one_elsewhere_is_not() -> None:
+def test_second_bridge_at_the_same_topics_is_refused_and_one_elsewhere_not() -> None:
     domain = str(free_domain())
     command = ("ros2", SPEC, "--link", "sim:scara", "--domain", domain)
     with program(*command) as first, program(*command, "--namespace", "left") as other:
@@ -494,7 +494,7 @@ def test_a_quality_for_a_topic_that_there_is_not_is_refused(tmp_path: Path) -> N
 
 
 def devices_of_ports() -> set[bytes]:
-    """Return the devices to which what this process has open for UDP at all addresses is bound; empty: to none."""
+    """Return the devices to which UDP sockets of this process with the address 0.0.0.0 are bound; "" is no device."""
     found = set()
     for file in Path("/proc/self/fd").iterdir():
         with contextlib.suppress(OSError):

@@ -1,4 +1,4 @@
-"""Sensors of a spec as messages of ROS: the bytes that ROS gives them, in SI units, heard by true nodes."""
+"""Sensors of a spec as messages of ROS: the bytes that ROS makes of them, in SI units, received by real nodes."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ eye(): @(base) {
 }
 """
 WORDS = [(0x10, [9000, -9000 & 0xFFFF, 0]), (0x14, [0, 0, 1000]), (0x20, [12_600, 80]), (0x30, [500])]
-"""Addresses and words: 90 and -90 degrees a second, the acceleration of a robot that stands, 12.6 V, 80 %, 0.5 m."""
+"""Addresses and words: 90 and -90 degrees/s, the acceleration of a resting robot, 12.6 V, 80 %, 0.5 m."""
 TOPICS = {"body/imu": "Imu", "battery_state": "BatteryState", "front/range": "Range"}
 EXPECTED: dict[str, dict[str, Any]] = {
     "Imu": {
@@ -76,7 +76,7 @@ async def sampled() -> tuple[list[SensorTopic], Batch]:
 
 
 def filled(message: Any, values: dict[str, Any], make: Any) -> Any:
-    """Set fields of a message; `make` turns a list of numbers into what the message takes."""
+    """Set fields of a message; return it. `make` converts a list of numbers to the type of the field."""
     for name, value in values.items():
         if isinstance(value, dict):
             filled(getattr(message, name), value, make)

@@ -35,7 +35,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 PATIENCE = 60
 J2_TO_HALF_A_RADIAN = ("/scara/joint_commands", "sensor_msgs/JointState", "{name: [j2], position: [0.5]}")
 HALF_A_RADIAN = round(0.5 * 180 / math.pi / (360 / 200_000))
-"""In counts of that joint."""
+"""Half a radian in counts of the joint."""
 pytest_plugins = ["gateware.bench.network.fixtures"]
 
 needs_ros = pytest.mark.skipif(
@@ -64,7 +64,7 @@ def packages(tmp_path: Path) -> dict[str, Path]:
 
 @pytest.fixture
 def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
-    """Return an environment in which ROS finds the package, whose Python has no Unity-Link, and ours on the path."""
+    """Return an environment in which ROS finds the package; its Python has no Unity-Link, and ours is on the path."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     return {
@@ -86,7 +86,7 @@ def rostopic(environment: dict[str, str], *arguments: str) -> str:
 
 @contextmanager
 def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
-    """Run the node of the package by roslaunch; its gateway has answered when the block begins."""
+    """Run the node of the package by roslaunch; the block begins when its gateway has answered."""
     with subprocess.Popen(
         ["/usr/bin/python3", "-u", shutil.which("roslaunch") or "", "scara_unity_link", "scara.launch", *arguments],
         env=environment,
@@ -94,7 +94,7 @@ def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
         stderr=subprocess.PIPE,
         text=True,
     ) as process:
-        # A node that ends does not end roslaunch.
+        # roslaunch does not end when a node ends.
         late = threading.Timer(PATIENCE, process.kill)
         late.start()
         try:
@@ -127,7 +127,7 @@ def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str,
 
 @needs_ros
 @pytest.mark.slow
-def test_the_node_samples_and_moves_the_gateware_behind_rmii_whose_link_is_shared(
+def test_node_samples_and_moves_shared_gateware_on_rmii(
     environment: dict[str, str], tmp_path: Path, gateway: Plugged
 ) -> None:
     gateway.call("poke", 0x89, HALF_A_RADIAN)

@@ -1,4 +1,4 @@
-"""Environments with the rclpy of a distribution of ROS 2, by `make ros-venvs`, and nodes that run in them."""
+"""Environments with the rclpy of a distribution of ROS 2, from `make ros-venvs`, and nodes that run in them."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ PYTHONS = {
     file.parent.name.removeprefix("ros-"): str(file.parent / "bin" / "python")
     for file in sorted(Path(__file__).parents[2].glob(".venv/ros-*/.installed"))
 }
-"""Paths of the Pythons by the names of the distributions."""
+"""Path of the Python of each distribution."""
 PEER = str(Path(__file__).parents[1] / "bridges" / "rclpy_peer.py")
 
 
 class Node:
-    """A node of `rclpy_peer` in another process; each of its methods is one of `rclpy_peer.Peer`."""
+    """A node of `rclpy_peer` in another process; its methods are those of `rclpy_peer.Peer`."""
 
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self.process = process
@@ -40,13 +40,13 @@ class Node:
         return do
 
     def answer(self) -> Any:
-        """Return what the node says next."""
+        """Return the next answer of the node."""
         assert self.process.stdout is not None
         return json.loads(self.process.stdout.readline())
 
 
 class Ros:
-    """A domain of ROS 2 of its own, and programs in it."""
+    """A separate domain of ROS 2, and programs in it."""
 
     def __init__(self, distribution: str) -> None:
         self.distribution = distribution
@@ -60,7 +60,7 @@ class Ros:
 
     @contextmanager
     def node(self, name: str = "peer", **more: str) -> Iterator[Node]:
-        """Run a node of rclpy; it is killed at the end."""
+        """Run a node of rclpy; kill it at the end of the block."""
         with subprocess.Popen(
             [PYTHONS[self.distribution], PEER, name],
             stdin=subprocess.PIPE,
@@ -77,7 +77,7 @@ class Ros:
 
     @contextmanager
     def bridge(self, transport: str, *words: str, **more: str) -> Iterator[subprocess.Popen[str]]:
-        """Run `unity-link ros2`, by rclpy or by CycloneDDS; it is killed at the end."""
+        """Run `unity-link ros2`, with rclpy or CycloneDDS; kill it at the end of the block."""
         python = PYTHONS[self.distribution] if transport == "rclpy" else sys.executable
         with subprocess.Popen(
             [python, "-m", "unity_link", "ros2", *words], stderr=subprocess.PIPE, text=True, env=self.environment | more

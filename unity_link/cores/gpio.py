@@ -13,7 +13,7 @@ class GpioModel(Model):
         self.part.output, self.part.drive, self.part.edges, self.part.last = False, False, 0, 0
         self.step(0)
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock gives the instants of edges)
+    def step(self, dt: float) -> None:
         """Update the level of the pin. If the core drives it, the plant's value has no effect."""
         part = self.part
         # An input without a pin is 0, even if the core drives its output.
@@ -28,7 +28,7 @@ class GpioModel(Model):
             if trigger.group is not None:
                 self.around.trigger(trigger.group)
 
-    def written(self, name: str) -> None:  # noqa: ARG002  (any of the signals may change the level)
+    def written(self, name: str) -> None:
         """Update the level after a write to a signal, or a change of the pin by the plant."""
         self.step(0)
 
@@ -38,6 +38,6 @@ class GpioAtPins(AtPins):
 
     shows = frozenset({"level"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (only the present level counts)
+    def step(self, dt: float) -> None:
         """Show the level of the pin."""
         self.around.show("level", bool(self.part.pin))

@@ -706,7 +706,7 @@ class LeaseModel(Model):
             return None
         return self._end if self._emptied is None else min(self._end, self._emptied + 1)
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+    def step(self, dt: float) -> None:
         """End the lease if its end has come, or if it is finishing and the schedules are empty."""
         self.part.clock = now = self.around.now
         if self.part.finishing and self._emptied is None and self.around.is_empty:
@@ -785,7 +785,7 @@ class LeaseAtPins(AtPins):
         if around.has("enable"):
             self.shows = frozenset({"armed"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (only the present level counts)
+    def step(self, dt: float) -> None:
         """Show the level of the enable pin as `armed`."""
         if self.shows:
             self.around.show("armed", bool(self.part.enable))

@@ -24,7 +24,7 @@ class PwmAtPins(AtPins):
         if "pwm" not in self._pins:
             self.shows = frozenset()
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (clock cycles are more exact)
+    def step(self, dt: float) -> None:
         """Measure the duty cycles of the pins, and show the value."""
         if not self.shows:
             return

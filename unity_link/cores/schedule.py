@@ -201,7 +201,7 @@ class ScheduleModel(Model):
         """Clock cycle after the end of the next batch; for a batch that is executed, this is its instant."""
         return self._end_of(self._ended[0])[0] + 1 if self._ended else None
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+    def step(self, dt: float) -> None:
         """Finish the batches whose last cycle has passed."""
         while self._ended:
             cycle, how, values = self._end_of(self._ended[0])

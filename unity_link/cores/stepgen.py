@@ -181,7 +181,7 @@ class StepgenAtPins(AtPins):
         if not (around.has("step") and around.has("dir")):
             self.shows = frozenset()
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (pulses are more exact)
+    def step(self, dt: float) -> None:
         """Show the position of the counted steps."""
         if self.shows:
             steps = self.around.steps("step", "dir")

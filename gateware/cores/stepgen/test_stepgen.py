@@ -107,7 +107,7 @@ FACTORS = st.sampled_from([0.2, 0.5, 1.0, 1.0, 3.0])
     rounds=st.integers(10, 300),
     legs=st.lists(st.tuples(st.integers(-20 * 256, 20 * 256), FACTORS, st.integers(1, 400)), min_size=1, max_size=4),
 )
-def test_the_quick_model_goes_round_and_takes_accelerations_as_the_entity_does(
+def test_quick_model_turns_and_accelerates_as_the_entity_does(
     start: int, speed: float, rounds: int, legs: list[tuple[int, float, int]]
 ) -> None:
     pair, target = Pair(start, speed, rounds), start * 256
