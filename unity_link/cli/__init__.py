@@ -123,7 +123,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
         print_error(str(error))
         return WRONG_USE
     except UnityLinkError as error:
-        print_error(str(error))
+        print_error(str(error), hint="; ".join(getattr(error, "__notes__", [])))
         return FAILED
     except OSError as error:
         _print_os_error(error)
