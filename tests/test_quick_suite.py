@@ -19,6 +19,7 @@ COMMANDS = {
     "check": "tests/cli/test_spec.py::test_check_reports_a_valid_spec",
     "demo": "tests/cli/test_full_screen.py::test_the_demo_on_a_terminal_that_can_draw_nothing_prints_lines",
     "doctor": "tests/doctor/test_faults.py::test_mapped_memory_has_no_gateway_to_examine",
+    "example": "tests/cli/test_example.py::test_an_example_is_written_and_a_changed_file_is_kept",
     "explain": "tests/cli/test_explain.py::test_json_has_an_object_for_each_frame_and_the_summary",
     "export": "tests/cli/test_spec.py::test_systemrdl_goes_out_and_in",
     "find": "tests/cli/test_find.py::test_simulated_boards_are_listed_with_name_map_and_session",

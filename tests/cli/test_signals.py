@@ -367,3 +367,22 @@ def test_stop_of_an_absent_gateway_fails_with_an_error(leased: str, tmp_path: Pa
     assert (result.returncode, result.stdout) == (1, "")
     assert result.stderr.startswith("error: ")
     assert "Traceback" not in result.stderr
+
+
+def test_a_set_that_is_refused_for_want_of_a_lease_names_arm(leased: str) -> None:
+    result = run("set", f"sim:{leased}", "speed=1")
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr.endswith("drive is not armed: nobody has armed it since the reset; --arm SECONDS arms it\n")
+
+
+@pytest.mark.parametrize("seconds", ["0", "-1", "nan", "inf", "1e10", "soon"])
+def test_a_time_that_no_lease_can_be_armed_for_is_refused(seconds: str, leased: str) -> None:
+    result = run("set", f"sim:{leased}", "speed=1", "--arm", seconds)
+    words = f"error: --arm is '{seconds}': a number of seconds from 0.001 to 1e+09 was expected\n"
+    assert (result.returncode, result.stdout, result.stderr.partition("Try")[0]) == (2, "", words)
+
+
+def test_arm_is_refused_for_signals_that_no_lease_guards(rover: str) -> None:
+    result = run("set", "sim:", rover, "left=1", "lamp=on", "--arm", "1")
+    words = "error: --arm arms the lease of a signal, and no lease guards left, lamp\n"
+    assert (result.returncode, result.stdout, result.stderr) == (2, "", words)

@@ -43,7 +43,8 @@ def try_wheel(wheel: Path, folder: Path) -> None:
     run(*install, "--no-deps", "--require-hashes", "-r", ROOT / "requirements" / "core.lock")
     run(*install, "--no-deps", wheel)
     elsewhere = folder / "elsewhere"
-    shutil.copytree(ROOT / "examples", elsewhere / "examples")
+    elsewhere.mkdir()
+    run(programs / "unity-link", "example", "scara", cwd=elsewhere)
     for place, block in enumerate(_PYTHON.findall((ROOT / "README.md").read_text())):
         program = elsewhere / f"block{place}.py"
         program.write_text(_BEFORE + block + ("" if "asyncio.run(" in block else _BEHIND))

@@ -11,7 +11,7 @@ Each module has one family of commands. A command parses its arguments, uses the
 - `doctor` checks for slow or wrong settings; `find` lists the boards on the network
 - `info`, `access` (read, write), `watch`, `simulate`, `stop`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands for specs: check, fmt, show, import; `generate` writes code from a spec
-- `build` makes bitstreams for boards; `gateware` copies the VHDL
+- `build` makes bitstreams for boards; `gateware` copies the VHDL; `example` writes the examples
 - `recording` has record and replay; `export` exports recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
 - `snoop` has explain and retrace, for recorded traffic of a connection
@@ -123,7 +123,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
         print_error(str(error))
         return WRONG_USE
     except UnityLinkError as error:
-        print_error(str(error))
+        print_error(str(error), hint="; ".join(getattr(error, "__notes__", [])))
         return FAILED
     except OSError as error:
         _print_os_error(error)

@@ -22,6 +22,7 @@ MARKUP: Any = "markdown"
 PANELS = {
     "Robots": {
         "demo": "demo",
+        "example": "example",
         "get": "signals",
         "set": "signals",
         "stop": "stop",

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 import typer
 
+from unity_link.cli.output import print_note
+
 if TYPE_CHECKING:
     from collections.abc import Coroutine, Iterable
 
@@ -58,9 +60,12 @@ async def _until_signal(command: Coroutine[None, None, T]) -> T:
         loop.add_signal_handler(number, stop, number)
     try:
         result = await command
-    except asyncio.CancelledError:
+    except asyncio.CancelledError as error:
         if not caught:
             raise
+        # A lease that could not be disarmed adds a note.
+        for note in getattr(error, "__notes__", []):
+            print_note(note)
         raise typer.Exit(SIGNALLED + caught[0]) from None
     finally:
         if not caught:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import contextlib
 import enum
 import fnmatch
 import os
@@ -16,13 +18,16 @@ from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import print_json, print_line, print_parts
 from unity_link.cli.running import run
 from unity_link.cli.spec import SPEC_VARIABLE, Name, compile_or_exit, spec_behind
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, NotArmedError
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from unity_link.cores.lease import Lease
     from unity_link.data.loading import LoadedRobot
     from unity_link.data.proxies import Proxy
+    from unity_link.link.link import Link
     from unity_link.spec.model import Signal
 
 SUFFIX = ".ul"
@@ -108,6 +113,17 @@ def set_(
         ),
     ],
     *,
+    arm: Annotated[
+        float | None,
+        typer.Option(
+            "--arm",
+            metavar="SECONDS",
+            min=0.001,
+            max=MOST_SECONDS,
+            help="Arm the leases that guard the signals, and disarm them after this time, at Ctrl-C and at SIGTERM.",
+            show_default=False,
+        ),
+    ] = None,
     interface: Name = None,
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
@@ -115,13 +131,13 @@ def set_(
     """Write signals by name, in their units and within their limits, in the order of the arguments.
 
     All values are checked before the first one is written. Without a SPEC, the environment variable UNITY_LINK_SPEC
-    names it.
+    names it. A signal that a lease guards needs --arm; its outputs are safe again when the command ends.
     """
     spec, given = split(url, assignments)
     robot_type = robot_of(spec, interface)
     if not given:
         raise ArgumentError("no signal was given: SIGNAL=VALUE was expected, such as j1.target=-1.5")
-    run(_set(url, robot_type, [_parse(robot_type, text) for text in given], json=json, timeout=timeout))
+    run(_set(url, robot_type, [_parse(robot_type, text) for text in given], arm=arm, json=json, timeout=timeout))
 
 
 async def _set(
@@ -129,24 +145,71 @@ async def _set(
     robot_type: type[LoadedRobot],
     values: list[tuple[str, Any]],
     *,
+    arm: float | None,
     json: bool,
     timeout: float,
 ) -> None:
+    from unity_link.cores.lease import leases_of
     from unity_link.data.describing import robot_behind
     from unity_link.link.connecting import connect
 
-    written: dict[Proxy[Any], Any] = {}
-    async with connect(url, timeout=timeout) as link:
+    guards = [] if arm is None else _guards_of(robot_type, [path for path, _ in values])
+    async with connect(url, timeout=timeout) as link, contextlib.AsyncExitStack() as block:
         robot = await robot_behind(link, robot_type)
-        for path, value in values:
-            proxy: Any = robot[path]
-            await proxy.set(value)
-            written[proxy] = proxy.decode(proxy.encode(value))
-    if json:
-        print_json({"url": url, "values": {proxy.path: plain(value) for proxy, value in written.items()}})
-        return
-    for proxy, value in written.items():
-        print_value(proxy, value, max(len(proxy.path) for proxy in written))
+        leases = [await block.enter_async_context(leases_of(robot)[path].armed()) for path in guards]
+        written: dict[Proxy[Any], Any] = {}
+        try:
+            for path, value in values:
+                await _kick(leases)
+                proxy: Any = robot[path]
+                await proxy.set(value)
+                written[proxy] = proxy.decode(proxy.encode(value))
+        except NotArmedError as error:
+            if leases:
+                raise
+            raise NotArmedError(f"{error}; --arm SECONDS arms it", error.reason, error.instant) from None
+        if json:
+            print_json({"url": url, "values": {proxy.path: plain(value) for proxy, value in written.items()}})
+        else:
+            for proxy, value in written.items():
+                print_value(proxy, value, max(len(proxy.path) for proxy in written))
+        if arm is not None:
+            await _hold(link, leases, arm)
+
+
+def _guards_of(robot_type: type[LoadedRobot], paths: Sequence[str]) -> list[str]:
+    """Return the paths of the leases that guard some signals, each once.
+
+    Raises:
+        ArgumentError: if no lease guards any of them.
+    """
+    safe = [robot_type.interface.signals[path].safe for path in paths]
+    if not any(safe):
+        raise ArgumentError(f"--arm arms the lease of a signal, and no lease guards {', '.join(dict.fromkeys(paths))}")
+    return list(dict.fromkeys(one.lease for one in safe if one is not None))
+
+
+async def _hold(link: Link, leases: Sequence[Lease], seconds: float) -> None:
+    """Keep leases armed for some seconds, by a kick each third of the shortest time-out.
+
+    Raises:
+        NotArmedError: if a lease ended before.
+    """
+    loop = asyncio.get_running_loop()
+    end = loop.time() + seconds
+    every = min(lease.timeout for lease in leases) / 3
+    while (left := end - loop.time()) > 0:
+        await _kick(leases)
+        await asyncio.sleep(min(every, left))
+    # Each kick asks for the state, and the next kick checks the answer, which has arrived after the fence.
+    await _kick(leases)
+    await link.fence()
+    await _kick(leases)
+
+
+async def _kick(leases: Sequence[Lease]) -> None:
+    for lease in leases:
+        await lease.kick()
 
 
 # Shared by the commands that take names of signals
