@@ -1,5 +1,6 @@
 """The check of prose finds phrases in every kind of file, and compares each folder with its limit."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -23,7 +24,9 @@ from support.suppressions import suppressions
 TEXT = (ROOT / TABLE).read_text(encoding="utf-8")
 RULES = read_rules(TEXT)
 SMALL = (
-    TEXT.partition("[ceilings]")[0] + '[ceilings]\n"." = 9.0\n"a" = 500.0\n"a/b" = 500.0\n' + TEXT[TEXT.index("[[ph") :]
+    re.sub(r"long_test_names = \d+", "long_test_names = 9", TEXT.partition("[ceilings]")[0])
+    + '[ceilings]\n"." = 9.0\n"a" = 500.0\n"a/b" = 500.0\n'
+    + TEXT[TEXT.index("[[ph") :]
 )
 """A table of limits for two folders and the files outside of them."""
 

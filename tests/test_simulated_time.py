@@ -36,7 +36,7 @@ def test_wait_without_a_due_event_is_an_error() -> None:
     async def wait() -> None:
         await asyncio.get_running_loop().create_future()
 
-    with pytest.raises(DeadlockError, match="nothing is left"):
+    with pytest.raises(DeadlockError, match="no timer is set"):
         run_simulated(wait())
 
 

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 import unity_link
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.arguments import Json, Overwrite
 from unity_link.cli.output import may_overwrite, print_json, print_parts, print_result
 from unity_link.errors import ArgumentError, did_you_mean
 
