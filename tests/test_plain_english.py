@@ -122,8 +122,9 @@ def test_a_folder_above_its_limit_fails_and_names_its_worst_files(tmp_path: Path
     ]
     rules.ceilings["a"] = 5.2
     assert list(above(folders, rules)) == []
+    table = SMALL.replace(f"long_test_names = {rules.long_test_names}", "long_test_names = 10")
     fewer = {"Any": 1, "noqa": 10**6, "type: ignore": 2}
-    lower = read_rules(lowered(SMALL, folders, 3, fewer))
+    lower = read_rules(lowered(table, folders, 3, fewer))
     assert lower.ceilings == {".": 0.0, "a": 5.2, "a/b": 10.3}
     assert lower.long_test_names == 3
     assert lower.suppressions == {"Any": 1, "noqa": rules.suppressions["noqa"], "type: ignore": 2}
