@@ -296,7 +296,7 @@ async def test_write_after_the_time_out_does_not_act_under_another_lease() -> No
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
-        async with robot.armed(timeout=0.02):
+        async with robot.armed(timeout=0.02) as lease:
             await robot.left.value.set(1)
             await asyncio.sleep(0.03)
             other = LeaseRegisters(robot, "drive").arm.signal
@@ -308,7 +308,27 @@ async def test_write_after_the_time_out_does_not_act_under_another_lease() -> No
                     await write(2)
                 assert refused.value.reason == "silence"
             assert world.seen("left.value") == 0
+            with pytest.raises(NotArmedError, match="has run out, and another program has armed it since"):
+                await lease.kick()
         assert world.seen("drive.armed")
+
+
+@on_simulated_time
+async def test_kick_is_sent_however_late_because_the_gateway_decides() -> None:
+    world = World()
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+        async with robot.armed(timeout=0.02) as lease:
+            # As if the estimate of the gateway's clock were ahead by the time-out.
+            lease._end = 0
+            with pytest.raises(NotArmedError, match="no kick came within"):
+                await robot.left.value.set(1)
+            kick = LeaseRegisters(robot, "drive").kick.signal
+            word = lease._token << TIME_BITS | (world.ticks + HZ // 100)
+            await Asked(link, kick.address, write=kick.encode(word)).words()
+            await lease.kick()
+            await robot.left.value.set(1)
+            assert world.seen("left.value") == 1
 
 
 @on_simulated_time

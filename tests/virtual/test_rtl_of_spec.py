@@ -279,7 +279,7 @@ async def test_memory_and_queues_are_at_the_ports_of_the_gateware(tmp_path: Path
         assert [await link.read(0x41), await link.read(0x41), await link.read(0x40)] == [1, 2, 3]
         with pytest.raises(unity_link.BusError):
             await link.read(0x42)
-        with pytest.raises(ArgumentError, match="0x30, where the register bank of robot has a: an address without"):
+        with pytest.raises(ArgumentError, match="0x30, the address of a in the register bank of robot: an"):
             gateway.attach(Counting(), [0x30])
 
 

@@ -423,13 +423,14 @@ class Lease(Sealed):
         """Return the error for a write to an address if the lease is over, or its time-out has passed; None otherwise.
 
         Another program may have armed the lease after the time-out; the write would then be executed under that lease.
-        A kick asks the gateway, whose clock decides: if the lease has not ended there, writes are accepted again.
-        Scheduled writes can still be cancelled while the lease is finishing.
+        A kick is always sent: it contains the token, and the gateway's clock decides. If the lease has not ended there,
+        writes are accepted again. Scheduled writes can still be cancelled while the lease is finishing.
         """
-        error = self.ended()
-        if error is None and self._has_ended() and not (self._finishes and address in self._registers.cancels):
+        error, registers = self.ended(), self._registers
+        is_sent = address in registers.kick.signal.addresses or (self._finishes and address in registers.cancels)
+        if error is None and not is_sent and self._has_ended():
             more = ", and writes that were scheduled by then may still be executed" if self._finishes else ""
-            message = f"{self._registers.name} has ended: no kick came within {self.timeout:g} s{more}"
+            message = f"{registers.name} has ended: no kick came within {self.timeout:g} s{more}"
             error = NotArmedError(message, "silence")
         return error
 
