@@ -25,6 +25,7 @@ from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError, BusError, BusTimeoutError, UnsupportedError
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.spec import compile_file, compile_text
+from unity_link.transport import parse_url, prepare
 from unity_link.virtual.build import simulate, simulated
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.registers import Registers
@@ -546,6 +547,11 @@ def test_an_impossible_url_of_a_robot_causes_one_clear_error(
 
     with pytest.raises(ArgumentError, match=words):
         run_simulated(connect())
+
+
+def test_the_spec_of_a_url_is_read_before_the_time_limit_of_a_connection() -> None:
+    with pytest.raises(ArgumentError, match=r"there is no spec missing\.ul in "):
+        run_simulated(prepare(parse_url("sim:missing.ul")))
 
 
 @contextlib.contextmanager
