@@ -200,7 +200,7 @@ def test_losses_and_not_the_speed_are_reported_if_some_queries_were_answered(dri
     with Simulated(driver, silent_from_the_second_on) as client:
         told = client("connect test: 1")
     assert told.startswith(f"{NO_CONNECTION}the gateway answered 1 of ")
-    assert told.endswith(" questions: what is sent or answered is lost or damaged on the way")
+    assert told.endswith(" questions: requests or answers are lost or damaged on the way, or this computer is too busy")
 
 
 def test_session_that_does_not_begin_is_reported_with_earlier_answers(driver: Path) -> None:

@@ -25,6 +25,7 @@ from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError, BusError, BusTimeoutError, UnsupportedError
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.spec import compile_file, compile_text
+from unity_link.transport import parse_url, prepare
 from unity_link.virtual.build import simulate, simulated
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.registers import Registers
@@ -350,7 +351,10 @@ async def test_a_bug_in_a_model_is_a_bus_error_and_a_logged_traceback(
     [
         ("def start(self): self.left.duty = 3", r"left.duty: 3 is outside of -1.0.* the range of signed 12"),
         ("def start(self): self.log = 3", r"log is a FIFO port, .*: put\(value\) appends one"),
-        ("def start(self): self.trigger('motion')", "rover has no trigger in the group 'motion': .* are bump"),
+        (
+            "def start(self): self.trigger('motion')",
+            "rover has no trigger in the group 'motion': its groups with TRIGGER are bump",
+        ),
         ("def start(self): self.set_fault('left.sped')", "no fault and no signal 'left.sped': did you mean 'left.spee"),
         ("def start(self): 1 / 0", "the model Model cannot be made for rover: ZeroDivisionError"),
         ("def start(self): raise CancelledError", "the model Model cannot be made for rover: CancelledError"),
@@ -529,6 +533,8 @@ async def test_a_url_fires_triggers() -> None:
         ("sim:rover.ul?fault=left.speed:broken", "one of error, timeout, frozen was expected after the colon"),
         ("sim:rover.ul?trigger=bump", "a group and a rate in Hz were expected, as in state:10"),
         ("sim:rover.ul?trigger=motion:3", "no trigger in the group 'motion'"),
+        ("sim:rover.ul?trigger=bumb:3", "rover has no group 'bumb': did you mean 'bump'?"),
+        ("sim:rover.ul?fault=x", "rover has no fault and no signal 'x': the path of a signal was expected, such as "),
         ("sim:rover.ul?trigger=bump:0", "a trigger of 0 Hz was asked for"),
         ("sim:?trigger=state:3", "there is no group 'state' without a spec: its number was expected"),
         ("sim:?trigger=300:3", "there is no group 300: this gateway has those from 0 to 255"),
@@ -546,6 +552,11 @@ def test_an_impossible_url_of_a_robot_causes_one_clear_error(
 
     with pytest.raises(ArgumentError, match=words):
         run_simulated(connect())
+
+
+def test_the_spec_of_a_url_is_read_before_the_time_limit_of_a_connection() -> None:
+    with pytest.raises(ArgumentError, match=r"there is no spec missing\.ul in "):
+        run_simulated(prepare(parse_url("sim:missing.ul")))
 
 
 @contextlib.contextmanager
@@ -577,8 +588,8 @@ def test_simulate_serves_a_spec_and_reads_faults_and_triggers_as_lines() -> None
                 await robot.left.speed.get()
             tell("mend left.speed", "left.speed is mended")
             await robot.left.speed.get()
-            tell("fault bloked", "error: Rover has no fault and no signal 'bloked': did you mean 'blocked'?")
-            tell("help", "error: trigger GROUP, fault NAME or mend NAME was expected")
+            tell("fault bloked", "error: rover has no fault and no signal 'bloked': did you mean 'blocked'?")
+            tell("help", "error: help: trigger GROUP, fault NAME[:HOW] or mend NAME was expected")
             return robot
 
     with simulating(str(ROVER), "--model", MODEL) as (process, url):

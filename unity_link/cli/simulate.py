@@ -315,7 +315,7 @@ class Console:
                 name, how = parse_fault(fault)
                 gateway.robot.set_fault(name, how, on=word == "fault")
                 return f"{name} {'is broken' if word == 'fault' else 'is mended'}"
-        raise ArgumentError("trigger GROUP, fault NAME or mend NAME was expected")
+        raise ArgumentError(f"{' '.join(words)}: trigger GROUP, fault NAME[:HOW] or mend NAME was expected")
 
 
 def _console_descriptor() -> int | None:

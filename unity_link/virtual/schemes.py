@@ -15,7 +15,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.virtual.build import CHANCES, CONFIGURATION, ROBOT_OPTIONS, Wanted, build_gateway, compile_gateway
+from unity_link.virtual.build import (
+    CHANCES,
+    CONFIGURATION,
+    ROBOT_OPTIONS,
+    Wanted,
+    build_gateway,
+    compile_gateway,
+    find_interface,
+)
 
 if TYPE_CHECKING:
     import asyncio
@@ -27,14 +35,20 @@ RTL = "rtl"
 
 
 async def prepare(url: DriverUrl) -> None:
-    """Compile the gateware of an ``rtl:`` URL, unless it is in the cache.
+    """Compile the gateware of an ``rtl:`` URL, unless it is in the cache; read the spec of a ``sim:`` URL.
+
+    On a slow computer, importing the compiler of specs takes longer than the time limit of a connection.
 
     Raises:
-        ArgumentError: if this installation does not have the configuration.
+        ArgumentError: if the spec does not exist, or this installation does not have the configuration.
         ConnectError: if the gateware cannot be compiled on this machine.
+        SpecError: if the spec has faults; the error lists all of them.
     """
+    wanted = _wanted(url)
     if url.scheme == RTL:
-        await compile_gateway(_wanted(url))
+        await compile_gateway(wanted)
+    elif wanted.has_spec:
+        find_interface(wanted.robot, wanted.interface)
 
 
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:

@@ -290,8 +290,8 @@ class SimulatedRobot(Part):
         group = groups.get(name)
         if group is None or not group.trigger or group.number is None:
             what = f"no group {name!r}" if group is None else f"no trigger in the group {name!r}"
-            having = f"those with one are {', '.join(triggered)}" if triggered else "no group is declared with TRIGGER"
-            raise ArgumentError(f"{self.interface.name} has {what}: {having}")
+            having = f"its groups with TRIGGER are {', '.join(triggered)}" if triggered else "no group has TRIGGER"
+            raise ArgumentError(f"{self.interface.name} has {what}: {did_you_mean(name, triggered) or having}")
         return group.number
 
     def set_fault(self, name: str, how: SignalFault = "error", *, on: bool = True) -> None:
@@ -312,9 +312,11 @@ class SimulatedRobot(Part):
         if name not in self._registers.cells:
             known = [*self.known_faults(), *self._registers.cells]
             hint = did_you_mean(name, known)
+            faults = ", ".join(self.known_faults())
+            expected = f"one of its faults ({faults}) or the" if faults else "the"
             raise ArgumentError(
-                f"{type(self).__name__} has no fault and no signal {name!r}: "
-                + (hint or f"its faults are {', '.join(self.known_faults()) or 'none'}")
+                f"{self.interface.name} has no fault and no signal {name!r}: "
+                + (hint or f"{expected} path of a signal was expected, such as {next(iter(self._registers.cells), '')}")
             )
         self._registers.set_fault(name, how if on else None)
 

@@ -308,7 +308,8 @@ class Handshake:
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             advice = "" if self._path is None else self._path.advice
-            return f"it answered {counts}: what is sent or answered is lost or damaged on the way{advice}"
+            why = "requests or answers are lost or damaged on the way, or this computer is too busy"
+            return f"it answered {counts}: {why}{advice}"
         if heard := self._heard + self._unread:
             return f"{heard} bytes arrived, none of them an answer: {UNREADABLE}"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"

@@ -363,7 +363,8 @@ static ul_status fail_to_open(const opening *opens)
         return fail(link, UL_NO_CONNECTION, "", LINE_ENDS);
     if (opens->believes) {
         snprintf(link->error, sizeof link->error,
-                 "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way%s",
+                 "the gateway answered %u of %u questions: requests or answers are lost or damaged on the way, "
+                 "or this computer is too busy%s",
                  opens->answers, opens->questions, path_advice(link));
         return UL_NO_CONNECTION;
     }
