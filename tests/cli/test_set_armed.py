@@ -155,7 +155,9 @@ def test_ctrl_c_while_the_gateway_is_silent_says_which_lease_runs_out(tmp_path: 
         assert [line_of(process), line_of(process)] == ["speed  3", "lift   4"]
         server.send_signal(signal.SIGSTOP)
         process.send_signal(signal.SIGINT)
-        assert "it runs out by itself, 1.96 s after the last kick" in wait_for(process, "arm may not have been disarmed")
+        assert "it runs out by itself, 1.96 s after the last kick" in wait_for(
+            process, "arm may not have been disarmed"
+        )
         assert process.wait() == 130
         server.send_signal(signal.SIGCONT)
 
