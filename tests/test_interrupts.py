@@ -221,9 +221,9 @@ def test_handler_that_raises_at_any_instant_of_a_call_leaves_the_link_usable(
         }
         count = points_of(works[work])
         assert count > 100
-        deadline = time.monotonic() + PATIENCE
         for at in sorted(random.Random(amount).sample(range(1, count), min(amount, count - 1))):
             handled.clear()
+            deadline = time.monotonic() + PATIENCE
             points = Points(at)
             with contextlib.suppress(StoppedError):
                 with points:
