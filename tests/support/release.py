@@ -44,7 +44,8 @@ def try_wheel(wheel: Path, folder: Path) -> None:
     run(*install, "--no-deps", wheel)
     elsewhere = folder / "elsewhere"
     elsewhere.mkdir()
-    run(programs / "unity-link", "example", "scara", cwd=elsewhere)
+    for name in ("scara", "gantry"):
+        run(programs / "unity-link", "example", name, cwd=elsewhere)
     for place, block in enumerate(_PYTHON.findall((ROOT / "README.md").read_text())):
         program = elsewhere / f"block{place}.py"
         program.write_text(_BEFORE + block + ("" if "asyncio.run(" in block else _BEHIND))
