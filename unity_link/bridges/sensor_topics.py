@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from unity_link.bridges.topic_names import SI
+from unity_link.bridges.topic_names import SI, unique_name
+from unity_link.spec.arguments import SENSORS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -33,13 +34,16 @@ class SensorTopic(NamedTuple):
     """A sensor whose samples are published as a topic."""
 
     name: str
-    kind: str
-    """Type in ``sensor_msgs``."""
     frame: str
     """Frame of the messages: the name of the component, with ``_`` in place of each slash."""
     sensor: Sensor
     proxies: Mapping[str, Sequence[Proxy[Any]]]
     """Signals of each part of the sensor, such as ``ORIENTATION``."""
+
+    @property
+    def kind(self) -> str:
+        """Type in ``sensor_msgs``."""
+        return KINDS[self.sensor.word]
 
     def fields(self, batch: Batch, *, has_variance: bool) -> list[Field]:
         """Return the fields of the messages after their header; `has_variance` must be True for the Range of ROS 2."""
@@ -51,7 +55,8 @@ class SensorTopic(NamedTuple):
 
     def _imu(self, batch: Batch) -> list[Field]:
         fields: list[Field] = []
-        for part, size in (("ORIENTATION", 4), ("ANGULAR_VELOCITY", 3), ("LINEAR_ACCELERATION", 3)):
+        # The message has the parts in the same order.
+        for part, size in SENSORS["IMU"].items():
             is_there = part in self.proxies
             values = self._columns(part, batch) if is_there else (0.0,) * size
             covariance = (0.0,) * 9 if is_there else _NOT_MEASURED
@@ -90,13 +95,9 @@ def sensor_topics(sensors: Sequence[Sensor], robot: Robot, names: dict[str, str]
     found = []
     for sensor in sensors:
         component = names[sensor.name] if sensor.name else ""
-        name = wanted = f"{component}/{TOPICS[sensor.word]}".lstrip("/")
-        number = 1
-        while name in taken:
-            number += 1
-            name = f"{wanted}_{number}"
+        name = unique_name(f"{component}/{TOPICS[sensor.word]}".lstrip("/"), taken)
         taken.add(name)
         proxies = {part: [robot[path] for path in paths] for part, paths in sensor.signals.items()}
         frame = component.replace("/", "_") or robot.interface.name
-        found.append(SensorTopic(name, KINDS[sensor.word], frame, sensor, proxies))
+        found.append(SensorTopic(name, frame, sensor, proxies))
     return found

@@ -39,13 +39,14 @@ def topic_names(interface: Interface) -> dict[str, str]:
         members: list[Signal | ComponentSpec] = [*signals, *parts, *elements]
         taken: set[str] = set()
         for member in members:
-            name = _unique(re.sub(r"\[(\d+)\]", r"_\1", member.path.rpartition(".")[2]), taken)
+            name = unique_name(re.sub(r"\[(\d+)\]", r"_\1", member.path.rpartition(".")[2]), taken)
             taken.add(name)
             names[member.path] = f"{names[component.path]}/{name}".lstrip("/")
-    return names | {"": _unique(interface.name, set(names.values()))}
+    return names | {"": unique_name(interface.name, set(names.values()))}
 
 
-def _unique(wanted: str, taken: set[str]) -> str:
+def unique_name(wanted: str, taken: set[str]) -> str:
+    """Return a name that is not taken: the wanted one, otherwise with a number, as ``legs_2``."""
     number, name = 1, wanted
     while name in taken:
         number += 1

@@ -85,16 +85,22 @@ class JointTopic(NamedTuple):
     """A group as states of joints."""
 
     name: str
-    kind: str
-    """Type of ``sensor_msgs``."""
-    frame: str | None
-    """Frame of the messages; None for the frame in the bridge's settings."""
     names: list[str]
     positions: list[Any]
     velocities: list[Any]
     efforts: list[Any]
     """Signals by joint, None for a joint without one; empty if no joint of the group has such a signal."""
     direction: VelocitySigns
+
+    @property
+    def kind(self) -> str:
+        """Type in ``sensor_msgs``."""
+        return "JointState"
+
+    @property
+    def frame(self) -> str | None:
+        """None: the frame in the bridge's settings."""
+        return None
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
         """Yield positions, velocities and efforts of each sample, in SI units; NaN if a joint has no such signal."""
@@ -304,8 +310,6 @@ def _joint_topic(topic: str, joints: tuple[Joint, ...], robot: Robot, names: Map
     ]
     return JointTopic(
         topic,
-        "JointState",
-        None,
         [names[joint.name] for joint in joints],
         positions,
         velocities,

@@ -57,7 +57,8 @@ class _Requests(NamedTuple):
         # Many short blocks take longer than single words, which are all read in one batch.
         blocks = runs if len(runs) <= MOST_BLOCKS else [part for part in parts if len(part) > 1]
         of_blocks = [address for block in blocks for address in block]
-        single = [address for address in addresses if address not in set(of_blocks)]
+        in_blocks = set(of_blocks)
+        single = [address for address in addresses if address not in in_blocks]
         places = {address: place for place, address in enumerate([*single, *of_blocks])}
         order = [places[address] for address in addresses]
         is_sorted = order == [*range(len(order))]
@@ -141,7 +142,8 @@ class GroupLayout:
             words = await reads[0] if len(reads) == 1 else np.concatenate(await gather(*reads))
         except GatewayError:
             # The error of a block does not name the word that failed, so read the words one by one.
-            await link.read_many(self.addresses)
+            if blocks:
+                await link.read_many(self.addresses)
             raise
         return words if order is None else words[order]
 

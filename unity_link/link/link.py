@@ -448,7 +448,8 @@ class Link(OfLink, Connection):
             The words, shape (count,), in the smallest unsigned type for a word.
         """
         where, size = self._whole_block(address, count)
-        return await self._read_words("RM", where, size, step=1)
+        end, most = where + size, self._flow.block_words
+        return await self._read_blocks([range(start, min(start + most, end)) for start in range(where, end, most)])
 
     async def read_queue(self, address: int, count: int) -> Words:
         """Read the same address, the port of a FIFO, `count` times, at most 2 ** 24; otherwise as `read_block`."""
@@ -456,7 +457,12 @@ class Link(OfLink, Connection):
         where, size = self._whole_address(address), self._whole_count(count)
         if size > MOST_QUEUE_WORDS:
             raise ArgumentError(f"{size} words of a queue were asked for, one call reads {MOST_QUEUE_WORDS} at most")
-        return await self._read_words("RQ", where, size, step=0)
+        arrays, codec, most = wire.arrays, self._session.codec, self._flow.block_words
+        counts = (min(most, size - start) for start in range(0, size, most))
+        requests: list[Request] = [
+            DestructiveRead(codec, "RQ", codec.fields("RQ", where, count), count) for count in counts
+        ]
+        return arrays.joined(await self._all(requests))
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
         """Write consecutive words from `address` on, in bus transactions as large as those of `read_block`."""
@@ -653,23 +659,9 @@ class Link(OfLink, Connection):
         except UnityLinkError as error:
             self._note_posted(PostedFailure(error, 1, poster))
 
-    async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
-        # Import numpy now, not in the callback that decodes the answer.
-        arrays = wire.arrays
-        codec, info = self._session.codec, self.gateway
-        requests: list[Request] = []
-        most = self._flow.block_words
-        for start in range(0, count, most):
-            part = min(most, count - start)
-            fields = codec.fields(command, address + step * start, part)
-            if command == "RQ":
-                requests.append(DestructiveRead(codec, command, fields, part))
-            else:
-                requests.append(Request(codec, command, fields, part * info.data_digits))
-        return arrays.joined(await self._all(requests))
-
     async def _read_blocks(self, blocks: Sequence[range]) -> Words:
         """Return the words of blocks of addresses, each read in one bus transaction, in one array."""
+        # Import numpy now, not in the callback that decodes the answer.
         arrays = wire.arrays
         codec, digits = self._session.codec, self.gateway.data_digits
         requests = [
