@@ -32,7 +32,7 @@ def text(finishes: list[Finish], machine: str, rounds: int, picture: str) -> str
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine}. Medians of "
         f"{rounds} rounds, in each of which all run in turn; the ratios are medians of those within a round. "
         "The share of a processor is that of the process that reads; a lone read of Unity-Link looks for its answer "
-        "again and again, where answers come quickly, instead of sleeping."
+        "again and again, if answers come quickly, instead of sleeping."
     )
     lines = [
         BEGIN,

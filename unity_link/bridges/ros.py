@@ -43,7 +43,7 @@ BUFFER = 1 << 16
 LOOKS = 10
 """Between two messages of how the bridge is, whether the gateway is there."""
 PATIENCE = 1.0
-"""Seconds for which a subscriber that takes nothing is waited for."""
+"""Seconds to wait for a subscriber whose queue is full."""
 ENDS_WITHIN = 4.0
 """Seconds for slow subscribers at the end: `ros2 launch` interrupts a node, and terminates the node 5 s later."""
 
@@ -204,7 +204,7 @@ class RosBridge(abc.ABC):
             lease.accept(values)
 
     def _beside(self, publishing: Executor) -> list[Coroutine[Any, Any, None]]:
-        """Return what runs beside the samples."""
+        """Return the tasks that run beside the publication of samples."""
         return [
             self._commands.run(),
             self._diagnose(publishing),

@@ -1,7 +1,7 @@
-"""A lease that ROS arms: who may, what kicks it, and what ends it.
+"""A lease that ROS arms: the conditions for arming, for a kick, and for the end.
 
 DDS and ROS 1 authenticate nobody, and a service call names no client. So arming is off unless it is allowed, and one
-program alone may publish set points of what the lease guards. Each accepted set point kicks; silence ends the lease.
+program alone may publish set points of guarded signals. Each accepted set point kicks; silence ends the lease.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class RosLease:
         self.show: Callable[[bool], None] = lambda _: None
         """Publishes whether the lease is armed."""
         self.programs: Callable[[], set[str]] = set
-        """Returns the names of the programs that publish set points of what the lease guards."""
+        """Returns the names of the programs that publish set points of guarded signals."""
         self._new = functools.partial(verbs.armed, timeout=timeout)
         self._new()
         self._why = f"nothing on ROS has armed {path}"
@@ -92,11 +92,11 @@ class RosLease:
         self._disarming = asyncio.ensure_future(self._disarm())
 
     def accept(self, values: Iterable[Value]) -> None:
-        """Kick, if set points of what the lease guards are among values that were written."""
+        """Kick, if values were written to guarded signals."""
         if self.held is not None and self.guards(value.proxy for value in values):
             self._accepted.set()
 
-    def ask(self, armed: bool) -> tuple[bool, str]:  # noqa: FBT001  (it is what a message has)
+    def ask(self, armed: bool) -> tuple[bool, str]:  # noqa: FBT001  (a message contains the bool)
         """Arm or disarm; to be called from a thread of ROS, which waits. Return whether it is done, and a sentence."""
         if self._loop is None:
             return False, f"{self.path}: the bridge has not begun"
@@ -124,7 +124,7 @@ class RosLease:
             self._show_now(armed=False)
 
     async def _is_armed(self) -> bool:
-        """Return whether anybody has armed it; not, where the gateway does not answer."""
+        """Return whether any program has armed it; False if the gateway does not answer."""
         if self.registers.link.connected:
             with contextlib.suppress(UnityLinkError, TimeoutError):
                 async with asyncio.timeout(10 * LOOK_EVERY):

@@ -36,7 +36,7 @@ def stamped_rows(
 
     Args:
         instants: times of the samples, in seconds since 1970, shape (samples,).
-        fields: what follows the header.
+        fields: all fields after the header.
         frame_id: of the header.
         first: number of the first message, in ROS 1; None for ROS 2, whose messages have no numbers.
     """

@@ -51,7 +51,7 @@ class BridgeSettings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     network: bool = False
     """True to speak to other machines too; else only to programs of this one."""
     domain: int | None = None
-    """The domain; ROS_DOMAIN_ID, or 0, if nothing is said."""
+    """The domain; None for ROS_DOMAIN_ID, or 0 without that variable."""
 
     def quality_of(self, topic: str) -> Quality:
         """Return the profile of a topic."""
@@ -78,7 +78,7 @@ def read_parameters(path: Path) -> dict[str, Any]:
     """Read the parameters in a file of one node, whatever its name.
 
     Raises:
-        ArgumentError: where it cannot be read, or has something else in it.
+        ArgumentError: if the file cannot be read, or does not contain parameters of one node.
     """
     import yaml
 

@@ -63,7 +63,7 @@ class RosTrajectory:
             self._loop.call_soon_threadsafe(self._take, message)
 
     async def run(self) -> None:
-        """Play what is given, until it is cancelled."""
+        """Play trajectories from `give`, until it is cancelled."""
         self._loop = asyncio.get_running_loop()
         try:
             await asyncio.Event().wait()

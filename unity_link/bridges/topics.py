@@ -23,7 +23,7 @@ from unity_link.errors import ArgumentError
 from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
@@ -101,10 +101,6 @@ class JointTopic(NamedTuple):
     def frame(self) -> str | None:
         """None: the frame in the bridge's settings."""
         return None
-
-    def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
-        """Yield positions, velocities and efforts of each sample, in SI units; NaN if a joint has no such signal."""
-        return zip(*(column.tolist() for column in self.columns(batch).values()), strict=True)
 
     def columns(self, batch: Batch) -> dict[str, NDArray[np.float64]]:
         """Return arrays for ``position``, ``velocity`` and ``effort``, in SI units, of shape (samples, joints or 0)."""

@@ -1,6 +1,6 @@
 """ROS 1: the samples of a robot as topics, and topics as writes, by rospy itself.
 
-- `environment`: where rospy is
+- `environment`: finds rospy, and chooses the address of the node
 - `node`: the bridge
 
 The master may be away at the start and go in between; the node waits for it, and registers again with one that does not

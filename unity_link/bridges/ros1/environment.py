@@ -1,4 +1,4 @@
-"""The environment of the node: where rospy is, which distributions install for their own Python, and its address."""
+"""The environment of the node: the path of rospy, which distributions install for their own Python, and its address."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ def find_rospy() -> None:
     """Make rospy importable.
 
     Raises:
-        ConnectError: where it is not installed.
+        ConnectError: if rospy is not installed.
     """
     if importlib.util.find_spec("rospy") is None and Path(_PLACE, "rospy").is_dir():
-        # At the end, so that our own packages stay what they are.
+        # At the end, so that the packages of this environment keep precedence.
         sys.path.append(_PLACE)
     elif importlib.util.find_spec("rospy") is None:
         raise ConnectError(
@@ -34,7 +34,8 @@ def choose_address() -> None:
     """Restrict the node to this machine, unless ROS's own settings name an address: ROS_IP, ROS_HOSTNAME, ``__ip:=``.
 
     Raises:
-        ArgumentError: where the master is on another machine, whose nodes could not reach this one, or nowhere.
+        ArgumentError: if ROS_MASTER_URI names no master, or one on another machine, whose nodes could not reach this
+            node.
     """
     from rosgraph import get_master_uri, network
 

@@ -32,11 +32,11 @@ if TYPE_CHECKING:
 LOOK_EVERY = 1.0
 """Seconds between looks whether the master knows the node."""
 MOST_LOGGED = 100
-"""Sentences that wait for who reads /rosout."""
+"""Length of the queue of /rosout, in messages."""
 ANSWERS_WITHIN = 2.0
 """Seconds after which a master that does not answer is away."""
 LEAVES_WITHIN = 3.0
-"""Seconds that it may take to tell the master of the end."""
+"""Limit in seconds for unregistering from the master at the end."""
 
 
 class Ros1Bridge(RosBridge):
@@ -64,8 +64,8 @@ class Ros1Bridge(RosBridge):
         """Be the bridge until it is cancelled.
 
         Raises:
-            ConnectError: where ROS ends the node, as it does when another one takes its name.
-            LinkLostError: where the link ends.
+            ConnectError: if ROS ends the node, because another node took its name.
+            LinkLostError: if the link ends.
         """
         # ROS cannot be stopped and started again in one process; its threads end with the process.
         loop = asyncio.get_running_loop()
@@ -121,7 +121,7 @@ class Ros1Bridge(RosBridge):
     def _log(self, text: str, *, level: int = logging.INFO) -> None:
         super()._log(text, level=level)
         if self._rosout is not None:
-            # rospy's own functions ask the master on the way, and wait for one that stands still.
+            # rospy's own functions query the master, and would wait for a master that does not answer.
             message = _message("rosgraph_msgs", "Log")(level=1 << level // 10 - 1, name=self._node_name, msg=text)
             message.header.stamp = type(message.header.stamp).from_sec(time.time())
             self._rosout.publish(message)
@@ -245,7 +245,7 @@ def _message(package: str, kind: str, part: str = "msg") -> Any:
 
 
 class _Limited(xmlrpc.client.Transport):
-    """Asks a master, and waits no longer than `ANSWERS_WITHIN` for one that stands still or whose machine is gone."""
+    """Queries a master with a time limit of `ANSWERS_WITHIN`, for a stopped process or an absent machine."""
 
     def make_connection(self, host: Any) -> HTTPConnection:
         connection = super().make_connection(host)
@@ -262,7 +262,7 @@ def _is_online() -> bool:
 
 
 def _leave() -> None:
-    """End the node, and tell the master, unless that does not answer: rospy would wait for it without end."""
+    """End the node and unregister it; give up after `LEAVES_WITHIN`, because rospy sets no limit for the master."""
     import rospy
 
     leaving = threading.Thread(target=rospy.signal_shutdown, args=("the bridge ends",), daemon=True)

@@ -49,7 +49,7 @@ def find_dds() -> None:
     """See that CycloneDDS is installed.
 
     Raises:
-        ConnectError: where it is not.
+        ConnectError: if it is not installed.
     """
     try:
         import cyclonedds  # noqa: F401  (it is to be there, no more)
@@ -61,12 +61,12 @@ def open_participant(settings: BridgeSettings, mark: str = "") -> tuple[Any, Any
     """Join the domain; return the participant, and the domain, which ends with its last reference.
 
     Args:
-        settings: which domain, and who is to be spoken to.
-        mark: what the participant tells of itself to all others (its USER_DATA), as ROS 2 writes it: ``name=value;``.
+        settings: the domain, and whether other machines can join.
+        mark: USER_DATA of the participant, which all others receive, in the form of ROS 2: ``name=value;``.
 
     Raises:
-        ArgumentError: for a domain that there is not.
-        ConnectError: where CycloneDDS cannot open its ports.
+        ArgumentError: for a domain that does not exist.
+        ConnectError: if CycloneDDS cannot open its ports.
     """
     from cyclonedds.core import DDSException, Policy, Qos
     from cyclonedds.domain import Domain, DomainParticipant
@@ -93,7 +93,7 @@ def _hear_this_machine_alone(domain: int) -> None:
     for one in _own_sockets():
         if (one.family, one.type) == (socket.AF_INET, socket.SOCK_DGRAM):
             host, port = one.getsockname()
-            if host == "0.0.0.0" and first <= port < first + _PORTS:  # noqa: S104  (it is what must not stay so)
+            if host == "0.0.0.0" and first <= port < first + _PORTS:  # noqa: S104  (the address that is replaced)
                 # Before Linux 5.7 only root may.
                 with contextlib.suppress(PermissionError):
                     one.setsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, b"lo")

@@ -1,6 +1,7 @@
 """ROS 2's types that the bridge speaks, as DDS sees them, with their hashes.
 
-Since Iron, ROS 2 tells the hash of a type with each endpoint (REP 2016), and warns where two differ or one is missing.
+Since Iron, each endpoint of ROS 2 announces the hash of its type (REP 2016); a warning follows if two hashes differ, or
+one is missing.
 """
 
 from __future__ import annotations
@@ -61,7 +62,7 @@ def _serialize(message: Any, *arguments: Any, **options: Any) -> bytes:
 def _read_number(kind: Any, data: bytes, *_: Any, **__: Any) -> Any:
     """Read a message by `struct`, as CycloneDDS's own way, which is Python, takes five times as long.
 
-    What is too short to be one has None as its value.
+    The value is None if the data is too short for the type.
     """
     made = kind.__new__(kind)
     reader = kind.readers[data[1] & 1]

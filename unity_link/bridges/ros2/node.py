@@ -80,8 +80,8 @@ class Ros2Bridge(RosBridge):
         """Be the bridge until it is cancelled.
 
         Raises:
-            ConnectError: where ROS 2 cannot be reached, or another bridge has the namespace.
-            LinkLostError: where the link ends.
+            ConnectError: if ROS 2 cannot be reached, or another bridge has the namespace.
+            LinkLostError: if the link ends.
         """
         publishing = ThreadPoolExecutor(1, "ros2-publish")
         loop = asyncio.get_running_loop()

@@ -40,7 +40,7 @@ _PROFILES = {
 }
 _LATCHED = _RELIABLE, Policy.History.KeepLast(1), Policy.Durability.TransientLocal
 MOST_KEPT = 1 << 14
-"""Values of a topic that wait for the link; beyond, who writes it waits."""
+"""Limit of values of a topic that wait for the link; at the limit, the writer of the topic waits."""
 
 # Functions of CycloneDDS's C library that its Python package does not name. The library sends a packet for each
 # message, unless messages are gathered until a flush.
