@@ -49,7 +49,7 @@ def example(
                 print_parts((f"{each:<{max(map(len, EXAMPLES))}}", "cyan"), "  ", line)
         return
     if name not in EXAMPLES:
-        hint = did_you_mean(name, EXAMPLES) or f"{', '.join(EXAMPLES)} are"
+        hint = did_you_mean(name, EXAMPLES) or f"one of {', '.join(EXAMPLES)} was expected"
         raise ArgumentError(f"there is no example {name!r}: {hint}")
     from unity_link.files import check_folder, write_files
 
